@@ -1,0 +1,180 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "error.h"
+#include "scene/text.h"
+
+namespace thermocontact::app {
+
+namespace {
+
+using scene::did_you_mean;
+using scene::one_line;
+using scene::one_of;
+
+struct Words {
+    std::string scene;
+    std::string output;
+    std::vector<std::string> overrides;
+    std::string format = "toml";
+    bool quiet = false;
+    bool version = false;
+};
+
+struct Parser {
+    CLI::App app{"Dynamic contact with friction and heat in a thermo-viscoelastic body.", "thermocontact"};
+    CLI::App* run = nullptr;
+    CLI::App* check = nullptr;
+    CLI::App* schema = nullptr;
+    Words words;
+
+    Parser();
+    void add_scene(CLI::App& command);
+};
+
+Parser::Parser() {
+    app.allow_extras();
+    app.require_subcommand(0, 1);
+    app.set_help_flag("-h,--help", "Print this help");
+    app.add_flag("--version", words.version, "Print the version");
+
+    run = app.add_subcommand("run", "Run a scene and write its results");
+    add_scene(*run);
+    run->add_option("--output", words.output, "Directory of the results; default: SCENE's name with -results")
+        ->type_name("DIR");
+    run->add_flag("--quiet", words.quiet, "Print errors only");
+
+    check = app.add_subcommand("check", "Validate a scene and print the physics found");
+    add_scene(*check);
+
+    schema = app.add_subcommand("schema", "Print every scene key: type, unit, default, range, meaning");
+    schema->allow_extras();
+    schema->add_option("--format", words.format, "toml (default), json or markdown")->type_name("FORMAT");
+}
+
+void Parser::add_scene(CLI::App& command) {
+    command.allow_extras();
+    command.add_option("SCENE", words.scene, "Scene file (TOML)")->type_name("FILE");
+    command.add_option("--set", words.overrides, "Value that beats the scene file; repeatable")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+/// `word` without the value of "--option=value".
+std::string bare_option(const std::string& word) {
+    return word.substr(0, word.find('='));
+}
+
+[[noreturn]] void fail_unknown_command(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    if (word.starts_with("-")) {
+        const std::string near = did_you_mean(bare_option(word), option_names(app));
+        throw SceneError("unknown option \"" + one_line(bare_option(word)) + "\" before the command" +
+                         (near.empty() ? "; the options of a command follow it" : near));
+    }
+    const std::string near = did_you_mean(word, names);
+    throw SceneError("unknown command \"" + one_line(word) + '"' +
+                     (near.empty() ? "; expected " + one_of(names) : near));
+}
+
+[[noreturn]] void fail_extra(const CLI::App& command, const std::string& word) {
+    const std::string of = command.get_name() + ": ";
+    if (!word.starts_with("-")) {
+        throw SceneError(of + "unexpected argument \"" + one_line(word) + '"');
+    }
+    const std::string option = bare_option(word);
+    const auto names = option_names(command);
+    const std::string near = did_you_mean(option, names);
+    throw SceneError(of + "unknown option \"" + one_line(option) + '"' +
+                     (near.empty() ? "; expected " + one_of(names) : near));
+}
+
+std::string first_line(const std::string& text) {
+    return one_line(text.substr(0, text.find('\n')), 200);
+}
+
+std::filesystem::path scene_of(const CLI::App& command, const Words& words) {
+    if (words.scene.empty()) {
+        throw SceneError(command.get_name() + ": no scene file given; usage: thermocontact " +
+                         command.get_name() + " SCENE.toml");
+    }
+    return words.scene;
+}
+
+std::filesystem::path output_of(const CLI::App& run, const Words& words) {
+    if (!words.output.empty()) {
+        return words.output;
+    }
+    if (run.get_option("--output")->count() > 0) {
+        throw SceneError("run: --output: expected a directory, found an empty name");
+    }
+    return std::filesystem::path(words.scene).stem().string() + "-results";
+}
+
+Command command_of(const Parser& parser) {
+    const Words& words = parser.words;
+    const auto commands = parser.app.get_subcommands();
+    if (const auto extras = parser.app.remaining(); !extras.empty()) {
+        fail_unknown_command(parser.app, extras.front());
+    }
+    if (words.version) {
+        return VersionCommand{};
+    }
+    if (commands.empty()) {
+        throw SceneError("no command given; expected \"run\", \"check\" or \"schema\", or --help");
+    }
+    const CLI::App& command = *commands.front();
+    if (const auto extras = parser.app.remaining(true); !extras.empty()) {
+        fail_extra(command, extras.front());
+    }
+    if (&command == parser.run) {
+        const auto scene = scene_of(command, words);
+        return RunCommand{scene, output_of(command, words), words.overrides, words.quiet};
+    }
+    if (&command == parser.check) {
+        return CheckCommand{scene_of(command, words), words.overrides};
+    }
+    const std::vector<std::string> formats = {"toml", "json", "markdown"};
+    if (std::find(formats.begin(), formats.end(), words.format) == formats.end()) {
+        throw SceneError("schema: --format: expected " + one_of(formats) + ", found \"" +
+                         one_line(words.format) + '"' + did_you_mean(words.format, formats));
+    }
+    return SchemaCommand{words.format};
+}
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+    const char* const* end = argv + argc;
+    if (std::find(argv, end, std::string_view("--")) != end) {
+        throw SceneError("options of PETSc behind \"--\" are not supported in this version; leave them out");
+    }
+    Parser parser;
+    try {
+        parser.app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return HelpCommand{parser.app.help()};
+    } catch (const CLI::ParseError& error) {
+        throw SceneError(first_line(error.what()));
+    }
+    return command_of(parser);
+}
+
+}  // namespace thermocontact::app

@@ -1,0 +1,39 @@
+/// The command line as plain data.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace thermocontact::app {
+
+struct RunCommand {
+    std::filesystem::path scene;
+    std::filesystem::path
+        output;  ///< default: the scene file's stem with "-results", in the current directory
+    std::vector<std::string> overrides;  ///< "KEY=VALUE", in the order given
+    bool quiet = false;
+};
+
+struct CheckCommand {
+    std::filesystem::path scene;
+    std::vector<std::string> overrides;
+};
+
+struct SchemaCommand {
+    std::string format;  ///< "toml" | "json" | "markdown"
+};
+
+struct VersionCommand {};
+
+struct HelpCommand {
+    std::string text;
+};
+
+using Command = std::variant<RunCommand, CheckCommand, SchemaCommand, VersionCommand, HelpCommand>;
+
+/// Throws SceneError with one line that says what is wrong and names the nearest command or option.
+Command parse_command_line(int argc, const char* const* argv);
+
+}  // namespace thermocontact::app

@@ -1,0 +1,168 @@
+#include "fem/block_matrix.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace thermocontact::fem {
+namespace {
+
+/// Cells around each node, compressed.
+std::pair<std::vector<std::int32_t>, std::vector<std::int32_t>> cells_of_nodes(const Dofmap& dofmap) {
+    std::vector<std::int32_t> offsets(static_cast<std::size_t>(dofmap.node_count) + 1, 0);
+    for (const std::int32_t node : dofmap.cell_nodes) {
+        ++offsets[static_cast<std::size_t>(node) + 1];
+    }
+    for (std::size_t i = 1; i < offsets.size(); ++i) {
+        offsets[i] += offsets[i - 1];
+    }
+    std::vector<std::int32_t> cells(dofmap.cell_nodes.size());
+    auto next = offsets;
+    for (std::size_t i = 0; i < dofmap.cell_nodes.size(); ++i) {
+        const auto node = static_cast<std::size_t>(dofmap.cell_nodes[i]);
+        cells[static_cast<std::size_t>(next[node]++)] = static_cast<std::int32_t>(i) / dofmap.nodes_per_cell;
+    }
+    return {std::move(offsets), std::move(cells)};
+}
+
+std::int32_t position(const NodeGraph& graph, std::int32_t row, std::int32_t column) {
+    const auto begin = graph.columns.begin() + graph.offsets[static_cast<std::size_t>(row)];
+    const auto end = graph.columns.begin() + graph.offsets[static_cast<std::size_t>(row) + 1];
+    return static_cast<std::int32_t>(std::lower_bound(begin, end, column) - graph.columns.begin());
+}
+
+template <int rows, int columns>
+void multiply_blocks(const BlockMatrix& matrix, const double* x, double* y) {
+    const NodeGraph& graph = *matrix.graph;
+    const double* block = matrix.values.data();
+    const std::int32_t* column = graph.columns.data();
+    for (std::size_t node = 0; node + 1 < graph.offsets.size(); ++node) {
+        double sum[rows] = {};
+        for (auto i = graph.offsets[node]; i < graph.offsets[node + 1]; ++i, block += rows * columns) {
+            const double* values = x + static_cast<std::ptrdiff_t>(*column++) * columns;
+            for (int r = 0; r < rows; ++r) {
+                for (int c = 0; c < columns; ++c) {
+                    sum[r] += block[r * columns + c] * values[c];
+                }
+            }
+        }
+        std::copy_n(sum, rows, y + static_cast<std::ptrdiff_t>(node) * rows);
+    }
+}
+
+void scatter(std::span<const double> tensor, std::span<const std::int32_t> nodes, int components, std::vector<double>& vector) {
+    const auto size = static_cast<std::size_t>(components);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (std::size_t c = 0; c < size; ++c) {
+            vector[static_cast<std::size_t>(nodes[i]) * size + c] += tensor[i * size + c];
+        }
+    }
+}
+
+}  // namespace
+
+NodeGraph make_node_graph(const Space& space) {
+    const Dofmap& dofmap = space.dofmap;
+    const auto [offsets, cells] = cells_of_nodes(dofmap);
+    NodeGraph graph;
+    graph.offsets.push_back(0);
+    std::vector<std::int32_t> neighbours;
+    for (std::size_t node = 0; node < static_cast<std::size_t>(dofmap.node_count); ++node) {
+        neighbours.clear();
+        for (auto i = offsets[node]; i < offsets[node + 1]; ++i) {
+            const auto nodes = dofmap.of(cells[static_cast<std::size_t>(i)]);
+            neighbours.insert(neighbours.end(), nodes.begin(), nodes.end());
+        }
+        std::ranges::sort(neighbours);
+        const auto repeated = std::ranges::unique(neighbours);
+        graph.columns.insert(graph.columns.end(), neighbours.begin(), repeated.begin());
+        graph.offsets.push_back(static_cast<std::int32_t>(graph.columns.size()));
+    }
+    for (std::int32_t cell = 0; cell < space.cellwise.node_count; ++cell) {
+        for (const std::int32_t row : dofmap.of(cell)) {
+            for (const std::int32_t column : dofmap.of(cell)) {
+                graph.cell_positions.push_back(position(graph, row, column));
+            }
+        }
+    }
+    return graph;
+}
+
+std::vector<double> BlockMatrix::multiply(const std::vector<double>& x) const {
+    std::vector<double> y(static_cast<std::size_t>(graph->node_count() * rows));
+    multiply(x, y);
+    return y;
+}
+
+void BlockMatrix::multiply(const std::vector<double>& x, std::vector<double>& y) const {
+    using Multiply = void (*)(const BlockMatrix&, const double*, double*);
+    constexpr Multiply table[3][3] = {
+        {multiply_blocks<1, 1>, multiply_blocks<1, 2>, multiply_blocks<1, 3>},
+        {multiply_blocks<2, 1>, multiply_blocks<2, 2>, nullptr},
+        {multiply_blocks<3, 1>, nullptr, multiply_blocks<3, 3>},
+    };
+    table[rows - 1][columns - 1](*this, x.data(), y.data());
+}
+
+void BlockMatrix::add(double factor, const BlockMatrix& other) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] += factor * other.values[i];
+    }
+}
+
+BlockMatrix zero_matrix(const NodeGraph& graph, int rows, int columns) {
+    const auto size = graph.columns.size() * static_cast<std::size_t>(rows * columns);
+    return {&graph, rows, columns, std::vector<double>(size, 0.0)};
+}
+
+BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& graph, int rows, int columns) {
+    BlockMatrix matrix = zero_matrix(graph, rows, columns);
+    const auto n = static_cast<std::size_t>(space.dofmap.nodes_per_cell);
+    const auto r = static_cast<std::size_t>(rows), c = static_cast<std::size_t>(columns);
+    std::vector<double> tensor(n * n * r * c);
+    const std::int32_t* target = graph.cell_positions.data();
+    for (std::int32_t cell = 0; cell < space.cellwise.node_count; ++cell) {
+        std::ranges::fill(tensor, 0.0);
+        form.add_cell(cell, tensor);
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                double* block = &matrix.values[static_cast<std::size_t>(*target++) * r * c];
+                for (std::size_t a = 0; a < r; ++a) {
+                    for (std::size_t b = 0; b < c; ++b) {
+                        block[a * c + b] += tensor[(i * r + a) * n * c + j * c + b];
+                    }
+                }
+            }
+        }
+    }
+    return matrix;
+}
+
+void assemble_cells(Form& form, const Dofmap& dofmap, int components, std::vector<double>& vector) {
+    std::vector<double> tensor(static_cast<std::size_t>(dofmap.nodes_per_cell * components));
+    const auto cells = static_cast<std::int32_t>(dofmap.cell_nodes.size()) / dofmap.nodes_per_cell;
+    for (std::int32_t cell = 0; cell < cells; ++cell) {
+        std::ranges::fill(tensor, 0.0);
+        form.add_cell(cell, tensor);
+        scatter(tensor, dofmap.of(cell), components, vector);
+    }
+}
+
+void assemble_facets(Form& form, std::span<const mesh::Facet> facets, const Dofmap& dofmap, int components,
+                     std::vector<double>& vector) {
+    std::vector<double> tensor(static_cast<std::size_t>(dofmap.nodes_per_cell * components));
+    for (const mesh::Facet& facet : facets) {
+        std::ranges::fill(tensor, 0.0);
+        form.add_facet(facet, tensor);
+        scatter(tensor, dofmap.of(facet.cell), components, vector);
+    }
+}
+
+double integrate(Form& form, std::span<const mesh::Facet> facets) {
+    double sum = 0.0;
+    for (const mesh::Facet& facet : facets) {
+        form.add_facet(facet, {&sum, 1});
+    }
+    return sum;
+}
+
+}  // namespace thermocontact::fem

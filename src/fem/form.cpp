@@ -1,0 +1,90 @@
+#include "fem/form.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace thermocontact::fem {
+namespace {
+
+template <typename Map>
+const auto& bound(const Map& values, const std::string& name, const std::string& form) {
+    const auto entry = values.find(name);
+    if (entry == values.end()) {
+        throw std::logic_error("form " + form + " needs " + name);
+    }
+    return entry->second;
+}
+
+std::vector<Tabulate> select(const std::vector<Integral>& integrals, int rule) {
+    std::vector<Tabulate> calls;
+    for (const Integral& integral : integrals) {
+        if (integral.subdomain == -1 || integral.subdomain == rule) {
+            calls.push_back(integral.tabulate);
+        }
+    }
+    return calls;
+}
+
+}  // namespace
+
+Form::Form(Kernel kernel, const mesh::Mesh& mesh, const Constants& constants, const Fields& fields, int rule)
+    : kernel_(std::move(kernel)),
+      mesh_(&mesh),
+      rule_(rule),
+      cell_calls_(select(kernel_.cells, rule)),
+      facet_calls_(select(kernel_.facets, rule)),
+      coordinates_(static_cast<std::size_t>(3 * mesh.vertices_per_cell)) {
+    if (cell_calls_.empty() && facet_calls_.empty()) {
+        throw std::logic_error("form " + kernel_.name + " has no rule " + std::to_string(rule));
+    }
+    for (const std::string& name : kernel_.constants) {
+        const std::vector<double>& values = bound(constants, name, kernel_.name);
+        constant_offsets_[name] = constants_.size();
+        constants_.insert(constants_.end(), values.begin(), values.end());
+    }
+    std::size_t size = 0;
+    for (const std::string& name : kernel_.coefficients) {
+        fields_.push_back(bound(fields, name, kernel_.name));
+        size += static_cast<std::size_t>(fields_.back().components * fields_.back().dofmap->nodes_per_cell);
+    }
+    coefficients_.resize(size);
+}
+
+void Form::gather(std::int32_t cell) {
+    const auto vertices = static_cast<std::size_t>(mesh_->vertices_per_cell);
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const auto vertex = mesh_->cells[static_cast<std::size_t>(cell) * vertices + v];
+        std::ranges::copy(mesh_->points[static_cast<std::size_t>(vertex)], coordinates_.begin() + static_cast<long>(3 * v));
+    }
+    double* target = coefficients_.data();
+    for (const Field& field : fields_) {
+        for (const std::int32_t node : field.dofmap->of(cell)) {
+            const double* source = field.values->data() + static_cast<std::size_t>(node) * static_cast<std::size_t>(field.components);
+            target = std::copy_n(source, field.components, target);
+        }
+    }
+}
+
+void Form::add_cell(std::int32_t cell, std::span<double> tensor) {
+    gather(cell);
+    for (const Tabulate tabulate : cell_calls_) {
+        tabulate(tensor.data(), coefficients_.data(), constants_.data(), coordinates_.data(), nullptr, nullptr);
+    }
+}
+
+void Form::add_facet(const mesh::Facet& facet, std::span<double> tensor) {
+    gather(facet.cell);
+    const int local = facet.local;
+    for (const Tabulate tabulate : facet_calls_) {
+        tabulate(tensor.data(), coefficients_.data(), constants_.data(), coordinates_.data(), &local, nullptr);
+    }
+}
+
+void Form::set_constant(const std::string& name, double value) {
+    if (const auto offset = constant_offsets_.find(name); offset != constant_offsets_.end()) {
+        constants_[offset->second] = value;
+    }
+}
+
+}  // namespace thermocontact::fem

@@ -1,0 +1,57 @@
+/// A kernel bound to its constants and coefficients, ready to be evaluated on cells or facets.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fem/kernel.h"
+#include "fem/space.h"
+#include "mesh/mesh.h"
+
+namespace thermocontact::fem {
+
+/// Values of the constants of forms, row-major, by the name that the form file gives them.
+using Constants = std::map<std::string, std::vector<double>>;
+
+/// A field that a coefficient takes its values from: values [nodes][components].
+struct Field {
+    const std::vector<double>* values;
+    int components;
+    const Dofmap* dofmap;
+};
+using Fields = std::map<std::string, Field>;
+
+class Form {
+  public:
+    /// Binds by name; names that the kernel does not use are ignored. `rule` names the integrals of facet forms
+    /// (those everywhere are always taken). Throws std::logic_error for a name that is missing.
+    Form(Kernel kernel, const mesh::Mesh& mesh, const Constants& constants, const Fields& fields = {}, int rule = -1);
+
+    /// Adds the tensor of one cell to `tensor` (row-major).
+    void add_cell(std::int32_t cell, std::span<double> tensor);
+
+    /// Adds the tensor of one facet to `tensor` (row-major).
+    void add_facet(const mesh::Facet& facet, std::span<double> tensor);
+
+    /// Changes a scalar constant; nothing happens if the kernel does not use it.
+    void set_constant(const std::string& name, double value);
+
+    const std::string& name() const { return kernel_.name; }
+
+  private:
+    void gather(std::int32_t cell);
+
+    Kernel kernel_;
+    const mesh::Mesh* mesh_;
+    int rule_;
+    std::vector<Tabulate> cell_calls_, facet_calls_;
+    std::vector<double> constants_;
+    std::map<std::string, std::size_t> constant_offsets_;
+    std::vector<Field> fields_;
+    std::vector<double> coefficients_;  ///< of the current cell
+    std::vector<double> coordinates_;   ///< of the current cell [vertices][3]
+};
+
+}  // namespace thermocontact::fem

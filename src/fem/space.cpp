@@ -1,0 +1,107 @@
+#include "fem/space.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace thermocontact::fem {
+namespace {
+
+/// Gives each edge of the mesh, named by its two vertices, the next free node.
+class EdgeNumbering {
+  public:
+    explicit EdgeNumbering(std::int32_t first) : next_(first) {}
+
+    std::int32_t operator()(std::int32_t p, std::int32_t q) {
+        const auto key = (static_cast<std::uint64_t>(std::min(p, q)) << 32U) | static_cast<std::uint64_t>(std::max(p, q));
+        const auto [entry, is_new] = numbers_.try_emplace(key, next_);
+        next_ += is_new ? 1 : 0;
+        return entry->second;
+    }
+
+    std::int32_t count() const { return next_; }
+
+  private:
+    std::unordered_map<std::uint64_t, std::int32_t> numbers_;
+    std::int32_t next_;
+};
+
+Dofmap number_nodes(const mesh::Mesh& mesh, const LagrangeElement& element) {
+    const auto per_cell = static_cast<std::size_t>(element.node_count);
+    const auto cells = static_cast<std::size_t>(mesh.cell_count());
+    Dofmap dofmap{element.node_count, 0, std::vector<std::int32_t>(cells * per_cell)};
+    EdgeNumbering edges(static_cast<std::int32_t>(mesh.points.size()));
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        const std::int32_t* vertices = &mesh.cells[cell * static_cast<std::size_t>(mesh.vertices_per_cell)];
+        std::int32_t* nodes = &dofmap.cell_nodes[cell * per_cell];
+        for (std::size_t v = 0; v < element.entities[0].size(); ++v) {
+            nodes[element.entities[0][v].front()] = vertices[v];
+        }
+        for (std::size_t e = 0; element.degree == 2 && e < element.entities[1].size(); ++e) {
+            const auto& ends = element.topology[1][e];
+            nodes[element.entities[1][e].front()] = edges(vertices[ends[0]], vertices[ends[1]]);
+        }
+    }
+    dofmap.node_count = edges.count();
+    return dofmap;
+}
+
+std::vector<mesh::Point> node_coordinates(const mesh::Mesh& mesh, const LagrangeElement& element, const Dofmap& dofmap) {
+    std::vector<mesh::Point> coordinates(static_cast<std::size_t>(dofmap.node_count));
+    for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
+        const std::int32_t* vertices =
+            &mesh.cells[static_cast<std::size_t>(cell) * static_cast<std::size_t>(mesh.vertices_per_cell)];
+        const auto nodes = dofmap.of(cell);
+        for (std::size_t node = 0; node < nodes.size(); ++node) {
+            mesh::Point x{};
+            for (std::size_t v = 0; v < element.vertex_weights[node].size(); ++v) {
+                const mesh::Point& vertex = mesh.points[static_cast<std::size_t>(vertices[v])];
+                for (std::size_t i = 0; i < 3; ++i) {
+                    x[i] += element.vertex_weights[node][v] * vertex[i];
+                }
+            }
+            coordinates[static_cast<std::size_t>(nodes[node])] = x;
+        }
+    }
+    return coordinates;
+}
+
+Dofmap number_cells(std::int32_t count) {
+    Dofmap dofmap{1, count, std::vector<std::int32_t>(static_cast<std::size_t>(count))};
+    for (std::int32_t cell = 0; cell < count; ++cell) {
+        dofmap.cell_nodes[static_cast<std::size_t>(cell)] = cell;
+    }
+    return dofmap;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> Space::facet_nodes(const mesh::Facet& facet) const {
+    std::vector<std::int32_t> result;
+    for (const int local : element.facet_nodes[static_cast<std::size_t>(facet.local)]) {
+        result.push_back(dofmap.of(facet.cell)[static_cast<std::size_t>(local)]);
+    }
+    return result;
+}
+
+std::vector<std::int32_t> Space::boundary_nodes(const mesh::Mesh& mesh, std::int32_t boundary) const {
+    std::vector<std::int32_t> result;
+    for (const mesh::Facet& facet : mesh.facets) {
+        if (facet.boundary == boundary) {
+            const auto nodes = facet_nodes(facet);
+            result.insert(result.end(), nodes.begin(), nodes.end());
+        }
+    }
+    std::ranges::sort(result);
+    const auto repeated = std::ranges::unique(result);
+    result.erase(repeated.begin(), repeated.end());
+    return result;
+}
+
+Space make_space(const mesh::Mesh& mesh, int degree) {
+    LagrangeElement element = make_lagrange(mesh.cell, degree);
+    Dofmap dofmap = number_nodes(mesh, element);
+    auto nodes = node_coordinates(mesh, element, dofmap);
+    return {std::move(element), std::move(dofmap), std::move(nodes), number_cells(mesh.cell_count())};
+}
+
+}  // namespace thermocontact::fem

@@ -1,0 +1,55 @@
+/// What the two balances of a step share: a condensed system with prescribed values and a contact term.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "march/state.h"
+#include "model/facet_term.h"
+#include "model/nodal.h"
+#include "scene/scene.h"
+#include "solve/condensed_system.h"
+
+namespace thermocontact::march {
+
+/// Where a failure is to be reported: "momentum balance", step and time.
+struct Where {
+    std::string equation;
+    int step;
+    double time;
+};
+
+/// Solves A x + F(x) = r for the unknowns that are not prescribed, A factored once.
+class Balance {
+  public:
+    /// `unknown` is the trial field [dofs] that the contact term reads and solve() fills.
+    /// Throws NumericsError where A is singular.
+    Balance(std::string equation, const scene::SolverSpec& options, fem::BlockMatrix matrix, model::Prescribed prescribed,
+            const std::vector<char>& contact_nodes, model::FacetTerm contact, const fem::Space& space,
+            std::vector<double>& unknown);
+
+    /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws NumericsError
+    /// if no solution is found, having tried Newton and continuation in the regularisation.
+    SolveReport solve(int step, double time, std::vector<double>& rhs);
+
+    const model::Prescribed& prescribed() const { return prescribed_; }
+    model::FacetTerm& contact() { return contact_; }
+    double factor_seconds() const { return factor_seconds_; }
+    std::int64_t factor_entries() const { return system_.factor_entries(); }
+    std::size_t contact_unknowns() const { return system_.contact_dofs().size(); }
+
+  private:
+    SolveReport solve_contact(const Where& where, const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
+    void remove_prescribed(std::vector<double>& rhs);
+
+    std::string equation_;
+    fem::BlockMatrix matrix_;
+    model::Prescribed prescribed_;
+    model::FacetTerm contact_;
+    std::vector<double>* unknown_;
+    double factor_seconds_ = 0;
+    solve::CondensedSystem system_;
+    solve::Newton newton_;
+};
+
+}  // namespace thermocontact::march

@@ -1,0 +1,106 @@
+#include "march/heat.h"
+
+#include <cmath>
+
+#include "march/assembler.h"
+
+namespace thermocontact::march {
+namespace {
+
+model::FacetTerm contact_term(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
+                              const model::ContactSurfaces& surfaces, const std::vector<double>& displacement,
+                              std::vector<double>& temperature) {
+    model::FacetTerm term(space, 1, temperature);
+    for (const auto& surface : surfaces) {
+        if (surface->laws.conductance) {
+            const fem::Fields fields{{"theta", {&temperature, 1, &space.dofmap}},
+                                     {"theta_F", {&surface->foundation_temperature, 1, &space.dofmap}},
+                                     {"u", {&displacement, scene.dimension, &space.dofmap}},
+                                     {"g", {&surface->gap, 1, &space.dofmap}}};
+            term.add("conductance", mesh, *surface, model::contact_constants(surface->laws, 0.0), fields);
+        }
+    }
+    return term;
+}
+
+/// A = c / k + K.
+fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double k, const std::optional<fem::BlockMatrix>& capacity,
+                               const std::optional<fem::BlockMatrix>& conduction) {
+    fem::BlockMatrix matrix = fem::zero_matrix(graph, 1, 1);
+    if (capacity) {
+        matrix.add(1 / k, *capacity);
+    }
+    if (conduction) {
+        matrix.add(1, *conduction);
+    }
+    return matrix;
+}
+
+}  // namespace
+
+Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space, const fem::NodeGraph& graph,
+           const model::ContactSurfaces& surfaces, const State& state, double k)
+    : step_(k), loads_(model::Loads::thermal(scene, mesh, space)), trial_(state.temperature) {
+    const Assembler assemble{scene, mesh, space, graph};
+    capacity_ = assemble.when(scene.heat->capacity.has_value(), "heat_capacity.capacity", 1, 1);
+    conduction_ = assemble.when(scene.heat->conductivity.has_value(), "conduction.conduction", 1, 1);
+    strain_heating_ = assemble.when(scene.heat->strain_heating.has_value(), "strain_heating.coupling", 1, scene.dimension);
+    gram_ = assemble("norms.temperature", 1, 1);
+    if (!scene.material) {
+        no_displacement_.assign(space.nodes.size() * static_cast<std::size_t>(scene.dimension), 0.0);
+    }
+    const std::vector<double>& displacement = scene.material ? state.displacement : no_displacement_;
+    balance_ = std::make_unique<Balance>("heat balance", scene.solver, system_matrix(graph, k, capacity_, conduction_),
+                                         model::Prescribed::temperature(scene, mesh, space),
+                                         model::nodes_with(surfaces, space, &scene::Contact::conductance),
+                                         contact_term(scene, mesh, space, surfaces, displacement, trial_), space, trial_);
+    stored_ = product(capacity_, state.temperature, trial_.size());
+    strain_source_ = product(strain_heating_, state.displacement, trial_.size());
+}
+
+SolveReport Heat::advance(int step, double time, State& state) {
+    const std::vector<double>& load = loads_.at(time);
+    std::vector<double> rhs(load.size());
+    as_eigen(rhs) = as_eigen(load) + as_eigen(std::as_const(stored_)) / step_ + as_eigen(std::as_const(strain_source_));
+    trial_ = state.temperature;
+    balance_->prescribed().apply(time, trial_);
+    const SolveReport report = balance_->solve(step, time, rhs);
+    std::vector<double> stored = product(capacity_, trial_, trial_.size());
+    audit(load, stored);
+    stored_ = std::move(stored);
+    strain_source_ = product(strain_heating_, state.displacement, trial_.size());
+    state.temperature = trial_;
+    return report;
+}
+
+void Heat::audit(const std::vector<double>& load, const std::vector<double>& stored) {
+    const std::vector<double> conducted = product(conduction_, trial_, trial_.size());
+    const std::vector<double> outflow = balance_->contact().nodal_forces("conductance");
+    const Eigen::VectorXd storage = (as_eigen(stored) - as_eigen(std::as_const(stored_))) / step_;
+    const Eigen::VectorXd sources = as_eigen(load) + as_eigen(std::as_const(strain_source_));
+    const Eigen::VectorXd residual = storage + as_eigen(conducted) + as_eigen(outflow) - sources;
+    double reaction = 0;
+    for (const std::int32_t dof : balance_->prescribed().dofs()) {
+        reaction += residual[dof];
+    }
+    const Record terms{{"heat_storage_rate", storage.sum()},
+                       {"contact_heat_outflow", as_eigen(outflow).sum()},
+                       {"prescribed_temperature_inflow", reaction},
+                       {"load_heat_inflow", as_eigen(load).sum()},
+                       {"strain_heat_inflow", as_eigen(std::as_const(strain_source_)).sum()}};
+    double sum = 0, scale = 0;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        sum += (i < 2 ? 1.0 : -1.0) * terms[i].second;
+        scale += std::abs(terms[i].second);
+    }
+    heat_residual_ = scale > 0 ? std::abs(sum) / scale : 0.0;
+    record_ = {{"temperature_l2", temperature_norm(trial_)}};
+    record_.insert(record_.end(), terms.begin(), terms.end());
+    record_.emplace_back("heat_residual", heat_residual_);
+}
+
+double Heat::temperature_norm(const std::vector<double>& theta) const {
+    return std::sqrt(std::max(0.0, as_eigen(theta).dot(as_eigen(gram_.multiply(theta)))));
+}
+
+}  // namespace thermocontact::march

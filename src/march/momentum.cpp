@@ -1,0 +1,159 @@
+#include "march/momentum.h"
+
+#include <cmath>
+
+#include "march/assembler.h"
+
+namespace thermocontact::march {
+namespace {
+
+model::FacetTerm contact_term(const mesh::Mesh& mesh, const fem::Space& space, int dimension,
+                              const model::ContactSurfaces& surfaces, const std::vector<double>& old_displacement,
+                              std::vector<double>& velocity, double k) {
+    model::FacetTerm term(space, dimension, velocity);
+    for (const auto& surface : surfaces) {
+        const fem::Fields fields{{"w", {&velocity, dimension, &space.dofmap}},
+                                 {"u_old", {&old_displacement, dimension, &space.dofmap}},
+                                 {"g", {&surface->gap, 1, &space.dofmap}}};
+        const fem::Constants constants = model::contact_constants(surface->laws, k);
+        if (surface->laws.compliance) {
+            term.add("compliance", mesh, *surface, constants, fields);
+        }
+        if (surface->laws.friction) {
+            term.add("friction", mesh, *surface, constants, fields);
+        }
+    }
+    return term;
+}
+
+/// A = rho M / k + V + k E.
+fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, double k,
+                               const std::optional<fem::BlockMatrix>& mass, const std::optional<fem::BlockMatrix>& damping,
+                               const std::optional<fem::BlockMatrix>& stiffness) {
+    fem::BlockMatrix matrix = fem::zero_matrix(graph, dimension, dimension);
+    if (mass) {
+        matrix.add(1 / k, *mass);
+    }
+    if (damping) {
+        matrix.add(1, *damping);
+    }
+    if (stiffness) {
+        matrix.add(k, *stiffness);
+    }
+    return matrix;
+}
+
+}  // namespace
+
+Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space, const fem::NodeGraph& graph,
+                   const model::ContactSurfaces& surfaces, const State& initial, double k)
+    : dimension_(scene.dimension),
+      step_(k),
+      density_(scene.material->density),
+      loads_(model::Loads::mechanical(scene, mesh, space)),
+      trial_(initial.velocity),
+      old_displacement_(initial.displacement) {
+    const Assembler assemble{scene, mesh, space, graph};
+    const int d = dimension_;
+    mass_ = assemble.when(density_.has_value(), "inertia.mass", d, d);
+    damping_ = assemble.when(scene.material->viscosity.has_value(), "viscosity.damping", d, d);
+    stiffness_ = assemble.when(scene.material->elasticity.has_value(), "elasticity.stiffness", d, d);
+    coupling_ = assemble.when(scene.heat && scene.heat->thermal_stress, "thermal_stress.coupling", d, 1);
+    velocity_gram_ = assemble.when(!density_, "norms.velocity", d, d);
+    strain_gram_ = assemble("norms.strains", d, d);
+    balance_ = std::make_unique<Balance>(
+        "momentum balance", scene.solver, system_matrix(graph, d, k, mass_, damping_, stiffness_),
+        model::Prescribed::displacement(scene, mesh, space),
+        model::nodes_with(surfaces, space, &scene::Contact::compliance),
+        contact_term(mesh, space, d, surfaces, old_displacement_, trial_, k), space, trial_);
+    restart(initial);
+}
+
+void Momentum::restart(const State& state) {
+    old_ = {product(mass_, state.velocity, trial_.size()), product(stiffness_, state.displacement, trial_.size())};
+}
+
+std::vector<double> Momentum::right_hand_side(const std::vector<double>& load, const State& state) const {
+    std::vector<double> rhs = load;
+    as_eigen(rhs) += as_eigen(old_.mass_w) / step_ - as_eigen(old_.stiffness_u);
+    if (coupling_) {
+        as_eigen(rhs) += as_eigen(coupling_->multiply(state.temperature));
+    }
+    return rhs;
+}
+
+SolveReport Momentum::advance(int step, double time, State& state) {
+    const std::vector<double>& load = loads_.at(time);
+    std::vector<double> rhs = right_hand_side(load, state);
+    std::vector<double> new_u = state.displacement;
+    balance_->prescribed().apply(time, new_u);
+    trial_ = state.velocity;
+    old_displacement_ = state.displacement;
+    for (const std::int32_t dof : balance_->prescribed().dofs()) {
+        const auto i = static_cast<std::size_t>(dof);
+        trial_[i] = (new_u[i] - state.displacement[i]) / step_;
+    }
+    const SolveReport report = balance_->solve(step, time, rhs);
+    for (std::size_t i = 0; i < new_u.size(); ++i) {
+        if (balance_->prescribed().fixed()[i] == 0) {
+            new_u[i] += step_ * trial_[i];
+        }
+    }
+    audit(load, state, new_u);
+    state.displacement = std::move(new_u);
+    state.velocity = trial_;
+    return report;
+}
+
+MomentumForces Momentum::forces(const std::vector<double>& load, const State& old, const Products& now) {
+    const std::size_t size = trial_.size();
+    MomentumForces forces;
+    forces.inertia = (as_eigen(now.mass_w) - as_eigen(std::as_const(old_.mass_w))) / step_;
+    forces.viscous = to_eigen(product(damping_, trial_, size));
+    forces.elastic = as_eigen(now.stiffness_u);
+    forces.thermal = to_eigen(product(coupling_, old.temperature, size));
+    forces.compliance = to_eigen(balance_->contact().nodal_forces("compliance"));
+    forces.friction = to_eigen(balance_->contact().nodal_forces("friction"));
+    forces.load = as_eigen(load);
+    forces.reaction.setZero(forces.load.size());
+    for (const std::int32_t dof : balance_->prescribed().dofs()) {
+        forces.reaction[dof] = forces.inertia[dof] + forces.viscous[dof] + forces.elastic[dof] - forces.thermal[dof] +
+                               forces.compliance[dof] + forces.friction[dof] - forces.load[dof];
+    }
+    return forces;
+}
+
+Energies Momentum::energies(const State& old, const std::vector<double>& new_u, const Products& now) const {
+    const auto w = as_eigen(trial_), w_old = as_eigen(old.velocity);
+    const auto u = as_eigen(new_u), u_old = as_eigen(old.displacement);
+    const auto mass_w = as_eigen(now.mass_w), mass_w_old = as_eigen(old_.mass_w);
+    const auto stiffness_u = as_eigen(now.stiffness_u), stiffness_u_old = as_eigen(old_.stiffness_u);
+    return {w_old.dot(mass_w_old) / 2, w.dot(mass_w) / 2,       (w - w_old).dot(mass_w - mass_w_old) / 2,
+            u_old.dot(stiffness_u_old) / 2, u.dot(stiffness_u) / 2, step_ * w.dot(stiffness_u - stiffness_u_old) / 2};
+}
+
+void Momentum::audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u) {
+    Products now{product(mass_, trial_, trial_.size()), product(stiffness_, new_u, trial_.size())};
+    const MomentumForces nodal = forces(load, old, now);
+    const Audit energy = audit_energy(energies(old, new_u, now), nodal, as_eigen(std::as_const(trial_)), step_);
+    const Audit force = audit_forces(nodal, dimension_);
+    old_ = std::move(now);
+    energy_residual_ = energy.residual;
+    force_residual_ = force.residual;
+    record_ = {{"velocity_l2", velocity_norm(trial_)}, {"displacement_strain_l2", strain_norm(new_u)}};
+    record_.insert(record_.end(), energy.terms.begin(), energy.terms.end());
+    record_.emplace_back("energy_residual", energy_residual_);
+    record_.insert(record_.end(), force.terms.begin(), force.terms.end());
+    record_.emplace_back("force_residual", force_residual_);
+}
+
+double Momentum::velocity_norm(const std::vector<double>& w) const {
+    const fem::BlockMatrix& gram = mass_ ? *mass_ : *velocity_gram_;
+    return std::sqrt(std::max(0.0, as_eigen(w).dot(as_eigen(gram.multiply(w)))) / density_.value_or(1.0));
+}
+
+double Momentum::strain_norm(const std::vector<double>& u) const {
+    return std::sqrt(std::max(0.0, as_eigen(u).dot(as_eigen(strain_gram_.multiply(u)))));
+}
+
+}  // namespace thermocontact::march

@@ -1,0 +1,64 @@
+/// The momentum balance of one step (MODEL.md, 3): find w_n with
+///
+///   rho (w_n - w_{n-1}, v)/k + (V eps(w_n), eps(v)) + (E eps(u_n), eps(v)) - (theta_{n-1} M, eps(v))
+///     + contact(u_n, w_n; v) = (f0, v) + (f1, v)_N,      u_n = u_{n-1} + k w_n.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "march/balance.h"
+#include "march/momentum_audit.h"
+#include "model/loads.h"
+
+namespace thermocontact::march {
+
+class Momentum {
+  public:
+    /// Assembles and factors for the step size k (s). Throws NumericsError where the system is singular.
+    Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space, const fem::NodeGraph& graph,
+             const model::ContactSurfaces& surfaces, const State& initial, double k);
+
+    /// From the state at t_{n-1} to u_n and w_n at `time`; the temperature of `state` is the old one. The state changes
+    /// only if the solve succeeds. Throws NumericsError.
+    SolveReport advance(int step, double time, State& state);
+
+    /// Takes up a state that advance() did not produce: the initial one, or an earlier one after a failure.
+    void restart(const State& state);
+
+    /// Norms, and every term of the energy and force balances of the last step (MODEL.md, 6).
+    const Record& record() const { return record_; }
+    double energy_residual() const { return energy_residual_; }  ///< relative
+    double force_residual() const { return force_residual_; }    ///< relative
+
+    /// ||w||_L2 and ||eps(u)||_L2 of a state.
+    double velocity_norm(const std::vector<double>& w) const;
+    double strain_norm(const std::vector<double>& u) const;
+
+    const Balance& balance() const { return *balance_; }
+
+  private:
+    struct Products {  ///< operators applied to the state; zeros where absent
+        std::vector<double> mass_w, stiffness_u;
+    };
+
+    std::vector<double> right_hand_side(const std::vector<double>& load, const State& state) const;
+    MomentumForces forces(const std::vector<double>& load, const State& old, const Products& now);
+    Energies energies(const State& old, const std::vector<double>& new_u, const Products& now) const;
+    void audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u);
+
+    int dimension_;
+    double step_;
+    std::optional<double> density_;
+    std::optional<fem::BlockMatrix> mass_, damping_, stiffness_, coupling_;
+    fem::BlockMatrix strain_gram_;
+    std::optional<fem::BlockMatrix> velocity_gram_;  ///< without inertia
+    model::Loads loads_;
+    std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
+    std::unique_ptr<Balance> balance_;
+    Products old_;
+    Record record_;
+    double energy_residual_ = 0, force_residual_ = 0;
+};
+
+}  // namespace thermocontact::march

@@ -1,0 +1,35 @@
+/// The identities that a momentum step must satisfy (MODEL.md, 6), term by term.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "march/state.h"
+
+namespace thermocontact::march {
+
+/// Nodal forces of the discrete balance [nodes][components]:
+/// inertia + viscous + elastic - thermal + compliance + friction - load = reaction (on prescribed dofs, else 0).
+struct MomentumForces {
+    Eigen::VectorXd inertia, viscous, elastic, thermal, compliance, friction, load, reaction;
+};
+
+/// Energies before and after the step (J), and the parts that the implicit scheme dissipates by itself.
+struct Energies {
+    double kinetic_old = 0, kinetic = 0, kinetic_numerical = 0;
+    double strain_old = 0, strain = 0, strain_numerical = 0;
+};
+
+/// Named terms, and their sum relative to their magnitudes.
+struct Audit {
+    Record terms;
+    double residual;
+};
+
+/// KE_n - KE_{n-1} + rho/2 |w_n - w_{n-1}|^2 + SE_n - SE_{n-1} + k^2/2 (E eps(w_n), eps(w_n)) + viscous + compliance
+/// + friction = loads + thermal + reactions, each as work over the step.
+Audit audit_energy(const Energies& energies, const MomentumForces& forces, const Eigen::VectorXd& velocity, double step);
+
+/// Per component: inertia + contact = loads + reactions.
+Audit audit_forces(const MomentumForces& forces, int components);
+
+}  // namespace thermocontact::march

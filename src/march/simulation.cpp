@@ -1,0 +1,132 @@
+#include "march/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.h"
+#include "model/nodal.h"
+#include "number.h"
+
+namespace thermocontact::march {
+
+Simulation::Simulation(const scene::Scene& scene)
+    : scene_(&scene),
+      mesh_(mesh::make_rectangle(scene.mesh)),
+      space_(fem::make_space(mesh_, scene.degree)),
+      graph_(fem::make_node_graph(space_)),
+      surfaces_(model::make_contact_surfaces(scene, mesh_, space_)) {
+    initialise();
+    const double k = scene.time.end / scene.time.steps;
+    if (scene.material) {
+        momentum_.emplace(scene, mesh_, space_, graph_, surfaces_, state_, k);
+        factor_seconds_ += momentum_->balance().factor_seconds();
+    }
+    if (scene.heat) {
+        heat_.emplace(scene, mesh_, space_, graph_, surfaces_, state_, k);
+        factor_seconds_ += heat_->balance().factor_seconds();
+    }
+    const model::ContactState contact{scene.material ? &state_.displacement : &no_motion_,
+                                      scene.material ? &state_.velocity : &no_motion_, &state_.temperature};
+    for (const auto& surface : surfaces_) {
+        probes_.push_back(std::make_unique<model::ContactProbe>(*surface, mesh_, space_, scene.dimension, contact));
+    }
+}
+
+void Simulation::initialise() {
+    const int d = scene_->dimension;
+    if (scene_->material) {
+        state_.displacement = model::interpolate(space_, scene_->initial.displacement, d, 0.0);
+        state_.velocity = model::interpolate(space_, scene_->initial.velocity, d, 0.0);
+    } else {
+        no_motion_.assign(space_.nodes.size() * static_cast<std::size_t>(d), 0.0);
+    }
+    if (scene_->heat) {
+        std::vector<scene::Expression> temperature;
+        if (scene_->initial.temperature) {
+            temperature.push_back(*scene_->initial.temperature);
+        }
+        state_.temperature = model::interpolate(space_, temperature, 1, 0.0);
+    }
+}
+
+void Simulation::advance() {
+    const int step = state_.step + 1;
+    const double time = scene_->time.end * step / scene_->time.steps;
+    const State before = state_;
+    try {
+        model::update(surfaces_, space_, time);
+        if (momentum_) {
+            momentum_report_ = momentum_->advance(step, time, state_);
+            totals_.energy_residual = std::max(totals_.energy_residual, momentum_->energy_residual());
+            totals_.force_residual = std::max(totals_.force_residual, momentum_->force_residual());
+        }
+        if (heat_) {
+            heat_report_ = heat_->advance(step, time, state_);
+            totals_.heat_residual = std::max(totals_.heat_residual, heat_->heat_residual());
+        }
+    } catch (...) {
+        state_ = before;
+        if (momentum_) {
+            momentum_->restart(state_);
+        }
+        model::update(surfaces_, space_, before.time);
+        throw;
+    }
+    state_.step = step;
+    state_.time = time;
+    const int iterations = momentum_report_.iterations + heat_report_.iterations;
+    totals_.iterations += iterations;
+    totals_.max_iterations_in_a_step = std::max(totals_.max_iterations_in_a_step, iterations);
+    totals_.retries += momentum_report_.retries + heat_report_.retries;
+}
+
+std::int64_t Simulation::factor_entries() const {
+    return (momentum_ ? momentum_->balance().factor_entries() : 0) + (heat_ ? heat_->balance().factor_entries() : 0);
+}
+
+std::size_t Simulation::contact_unknowns() const {
+    return (momentum_ ? momentum_->balance().contact_unknowns() : 0) + (heat_ ? heat_->balance().contact_unknowns() : 0);
+}
+
+std::map<std::string, model::ContactMeasures> Simulation::contact_measures() {
+    std::map<std::string, model::ContactMeasures> result;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        result[surfaces_[i]->name] = probes_[i]->measure();
+    }
+    return result;
+}
+
+Record Simulation::norms() const {
+    return {{"velocity_l2", momentum_ ? momentum_->velocity_norm(state_.velocity) : 0.0},
+            {"displacement_strain_l2", momentum_ ? momentum_->strain_norm(state_.displacement) : 0.0},
+            {"temperature_l2", heat_ ? heat_->temperature_norm(state_.temperature) : 0.0}};
+}
+
+Record Simulation::record() {
+    Record row{{"step", state_.step},
+               {"time", state_.time},
+               {"newton_iterations", momentum_report_.iterations},
+               {"heat_iterations", heat_report_.iterations},
+               {"retries", momentum_report_.retries + heat_report_.retries}};
+    if (momentum_) {
+        row.insert(row.end(), momentum_->record().begin(), momentum_->record().end());
+    }
+    if (heat_) {
+        row.insert(row.end(), heat_->record().begin(), heat_->record().end());
+    }
+    if (!surfaces_.empty()) {
+        double area = 0, closed = 0, slipping = 0, deepest = 0;
+        for (const auto& [name, measures] : contact_measures()) {
+            area += measures.area;
+            closed += measures.contact_fraction * measures.area;
+            slipping += measures.slip_fraction * measures.area;
+            deepest = std::max(deepest, measures.max_penetration);
+        }
+        row.emplace_back("contact_fraction", closed / area);
+        row.emplace_back("slip_fraction", slipping / area);
+        row.emplace_back("max_penetration", deepest);
+    }
+    return row;
+}
+
+}  // namespace thermocontact::march

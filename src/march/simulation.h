@@ -1,0 +1,77 @@
+/// A scene being marched through time, one step at a time.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "march/heat.h"
+#include "march/momentum.h"
+#include "model/contact_measures.h"
+
+namespace thermocontact::march {
+
+/// Totals over the steps so far.
+struct Totals {
+    int iterations = 0;
+    int max_iterations_in_a_step = 0;
+    int retries = 0;
+    double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
+};
+
+class Simulation {
+  public:
+    /// Mesh, space, operators, factors, initial state. Keeps a reference to the scene.
+    /// Throws NumericsError where a system is singular, std::bad_alloc.
+    explicit Simulation(const scene::Scene& scene);
+
+    /// One step of the scheme. The state changes only if the step succeeds; throws NumericsError otherwise.
+    void advance();
+
+    bool finished() const { return state_.step == scene_->time.steps; }
+
+    const State& state() const { return state_; }
+    const mesh::Mesh& mesh() const { return mesh_; }
+    const fem::Space& space() const { return space_; }
+    const model::ContactSurfaces& surfaces() const { return surfaces_; }
+    model::ContactProbe& probe(std::size_t surface) { return *probes_[surface]; }
+    const Totals& totals() const { return totals_; }
+
+    /// Seconds spent in factorisation during construction.
+    double factor_seconds() const { return factor_seconds_; }
+
+    /// Numbers stored in the Cholesky factors.
+    std::int64_t factor_entries() const;
+
+    /// Unknowns that are condensed, of both balances.
+    std::size_t contact_unknowns() const;
+
+    /// The history's row of the current state; of the initial one before the first step.
+    Record record();
+
+    /// Resultants of the contact surfaces, by name, for the current state.
+    std::map<std::string, model::ContactMeasures> contact_measures();
+
+    /// velocity_l2, displacement_strain_l2, temperature_l2 of the current state (0 for absent physics).
+    Record norms() const;
+
+  private:
+    void initialise();
+
+    const scene::Scene* scene_;
+    mesh::Mesh mesh_;
+    fem::Space space_;
+    fem::NodeGraph graph_;
+    model::ContactSurfaces surfaces_;
+    State state_;
+    std::vector<double> no_motion_;  ///< displacement and velocity of a scene without mechanics
+    std::optional<Momentum> momentum_;
+    std::optional<Heat> heat_;
+    std::vector<std::unique_ptr<model::ContactProbe>> probes_;
+    SolveReport momentum_report_, heat_report_;
+    Totals totals_;
+    double factor_seconds_ = 0;
+};
+
+}  // namespace thermocontact::march

@@ -1,0 +1,28 @@
+/// The unknowns at one instant, and what a step reports about them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace thermocontact::march {
+
+/// Nodal fields [nodes][components]; those of absent physics are empty.
+struct State {
+    int step = 0;
+    double time = 0;                   ///< s
+    std::vector<double> displacement;  ///< u, m
+    std::vector<double> velocity;      ///< w, m/s
+    std::vector<double> temperature;   ///< theta, K
+};
+
+/// How a nonlinear solve went.
+struct SolveReport {
+    int iterations = 0;
+    int retries = 0;  ///< solves beyond the first
+};
+
+/// Named numbers of a step, in the order of the history's columns.
+using Record = std::vector<std::pair<std::string, double>>;
+
+}  // namespace thermocontact::march

@@ -1,0 +1,61 @@
+/// Contact laws assembled over their facets as a nonlinear term of the condensed unknowns.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "fem/form.h"
+#include "model/contact_surface.h"
+#include "solve/newton.h"
+
+namespace thermocontact::model {
+
+class FacetTerm : public solve::NonlinearTerm {
+  public:
+    /// `unknown` [nodes][components] is the field that the laws depend on; evaluate() writes the contact unknowns to it.
+    FacetTerm(const fem::Space& space, int components, std::vector<double>& unknown);
+
+    /// Adds one law on one surface: the forms "LAW.residual" and "LAW.jacobian".
+    void add(const std::string& law, const mesh::Mesh& mesh, const ContactSurface& surface,
+             const fem::Constants& constants, const fem::Fields& fields);
+
+    /// Names the dofs that are unknowns of the condensed problem, in its order.
+    void restrict_to(const std::vector<std::int32_t>& dofs);
+
+    /// Raises the friction regularisation of every law to at least `floor` (m/s); 0 restores the scene's own.
+    void raise_regularisation(double floor);
+
+    /// The smallest regularisation of all laws (m/s); 0 without friction.
+    double smallest_regularisation() const;
+
+    bool empty() const { return laws_.empty(); }
+
+    void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override;
+    void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) override;
+
+    /// Forces [nodes][components] of one law ("compliance") at the current unknown, prescribed dofs included.
+    std::vector<double> nodal_forces(std::string_view law);
+
+  private:
+    struct Law {
+        std::string name;
+        const std::vector<mesh::Facet>* facets;
+        std::unique_ptr<fem::Form> residual, jacobian;
+        double regularisation;  ///< 0: none
+    };
+
+    void scatter(const Eigen::VectorXd& x);
+    void unknowns_of(const mesh::Facet& facet);
+
+    const fem::Space* space_;
+    int components_;
+    std::vector<double>* unknown_;
+    std::vector<Law> laws_;
+    std::vector<std::int32_t> dofs_;
+    std::vector<std::int32_t> index_;  ///< [dofs]: number among the contact unknowns, or -1
+    std::vector<std::int32_t> local_;  ///< contact unknowns of one facet's cell, or -1
+    std::vector<double> tensor_;
+};
+
+}  // namespace thermocontact::model

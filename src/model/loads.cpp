@@ -1,0 +1,99 @@
+#include "model/loads.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "model/nodal.h"
+
+namespace thermocontact::model {
+
+std::vector<mesh::Facet> facets_of(const mesh::Mesh& mesh, const std::string& boundary) {
+    std::vector<mesh::Facet> result;
+    std::ranges::copy_if(mesh.facets, std::back_inserter(result), [&](const mesh::Facet& facet) {
+        return mesh.boundary_names[static_cast<std::size_t>(facet.boundary)] == boundary;
+    });
+    return result;
+}
+
+Loads::Loads(const mesh::Mesh& mesh, const fem::Space& space, int components)
+    : mesh_(&mesh),
+      space_(&space),
+      components_(components),
+      constant_(space.nodes.size() * static_cast<std::size_t>(components), 0.0) {}
+
+Loads Loads::mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+    Loads loads(mesh, space, scene.dimension);
+    if (!scene.body_force.empty()) {
+        loads.add("body_force.load", "f", scene.body_force, {});
+    }
+    for (const auto& [name, boundary] : scene.boundaries) {
+        if (!boundary.traction.empty()) {
+            loads.add("traction.load", "f", boundary.traction, facets_of(mesh, name));
+        }
+    }
+    return loads;
+}
+
+Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+    Loads loads(mesh, space, 1);
+    if (scene.heat->source) {
+        loads.add("heat_source.load", "q0", {*scene.heat->source}, {});
+    }
+    for (const auto& [name, boundary] : scene.boundaries) {
+        if (boundary.heat_flux) {
+            loads.add("heat_flux.load", "flux", {*boundary.heat_flux}, facets_of(mesh, name));
+        }
+    }
+    return loads;
+}
+
+void Loads::add(const std::string& kernel, const std::string& coefficient, std::vector<scene::Expression> expressions,
+                std::vector<mesh::Facet> facets) {
+    auto term = std::make_unique<Term>();
+    term->expressions = std::move(expressions);
+    term->nodal.resize(constant_.size());
+    if (facets.empty()) {
+        term->nodes.resize(space_->nodes.size());
+        std::iota(term->nodes.begin(), term->nodes.end(), 0);
+    } else {
+        // off the facets the shape functions vanish on them, so their values do not matter
+        for (const mesh::Facet& facet : facets) {
+            const auto nodes = space_->facet_nodes(facet);
+            term->nodes.insert(term->nodes.end(), nodes.begin(), nodes.end());
+        }
+        std::ranges::sort(term->nodes);
+        const auto repeated = std::ranges::unique(term->nodes);
+        term->nodes.erase(repeated.begin(), repeated.end());
+    }
+    term->facets = std::move(facets);
+    const fem::Fields fields{{coefficient, {&term->nodal, components_, &space_->dofmap}}};
+    term->form = std::make_unique<fem::Form>(fem::find_kernel(kernel, mesh_->cell, space_->element.degree), *mesh_,
+                                             fem::Constants{}, fields);
+    if (depends_on_time(term->expressions)) {
+        varying_.push_back(std::move(term));
+    } else {
+        assemble(*term, 0.0, constant_);
+    }
+}
+
+void Loads::assemble(Term& term, double t, std::vector<double>& vector) {
+    interpolate_at(*space_, term.expressions, term.nodes, t, term.nodal);
+    if (term.facets.empty()) {
+        fem::assemble_cells(*term.form, space_->dofmap, components_, vector);
+    } else {
+        fem::assemble_facets(*term.form, term.facets, space_->dofmap, components_, vector);
+    }
+}
+
+const std::vector<double>& Loads::at(double t) {
+    if (varying_.empty()) {
+        return constant_;
+    }
+    sum_ = constant_;
+    for (const auto& term : varying_) {
+        assemble(*term, t, sum_);
+    }
+    return sum_;
+}
+
+}  // namespace thermocontact::model

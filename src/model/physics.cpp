@@ -1,0 +1,103 @@
+#include "model/physics.h"
+
+#include <algorithm>
+
+namespace thermocontact::model {
+namespace {
+
+template <typename Predicate>
+bool any_contact(const scene::Scene& scene, Predicate predicate) {
+    return std::ranges::any_of(scene.boundaries, [&](const auto& entry) {
+        return entry.second.contact && predicate(*entry.second.contact);
+    });
+}
+
+template <typename Predicate>
+bool any_boundary(const scene::Scene& scene, Predicate predicate) {
+    return std::ranges::any_of(scene.boundaries, [&](const auto& entry) { return predicate(entry.second); });
+}
+
+}  // namespace
+
+bool has_compliance(const scene::Scene& scene) {
+    return any_contact(scene, [](const scene::Contact& contact) { return contact.compliance.has_value(); });
+}
+
+bool has_friction(const scene::Scene& scene) {
+    return any_contact(scene, [](const scene::Contact& contact) { return contact.friction.has_value(); });
+}
+
+bool has_conductance(const scene::Scene& scene) {
+    return any_contact(scene, [](const scene::Contact& contact) { return contact.conductance.has_value(); });
+}
+
+std::vector<std::string> physics_of(const scene::Scene& scene) {
+    std::vector<std::string> names;
+    const auto add = [&](bool present, const char* name) {
+        if (present) {
+            names.emplace_back(name);
+        }
+    };
+    const auto& material = scene.material;
+    const auto& heat = scene.heat;
+    add(material && material->density, "inertia");
+    add(material && material->elasticity, "elasticity");
+    add(material && material->viscosity, "viscosity");
+    add(heat && heat->thermal_stress, "thermal_stress");
+    add(!scene.body_force.empty(), "body_force");
+    add(any_boundary(scene, [](const scene::Boundary& b) { return !b.traction.empty(); }), "traction");
+    add(has_compliance(scene), "compliance");
+    add(has_friction(scene), "friction");
+    add(heat && heat->capacity, "heat_capacity");
+    add(heat && heat->conductivity, "conduction");
+    add(heat && heat->strain_heating, "strain_heating");
+    add(heat && heat->source, "heat_source");
+    add(any_boundary(scene, [](const scene::Boundary& b) { return b.heat_flux.has_value(); }), "heat_flux");
+    add(has_conductance(scene), "conductance");
+    return names;
+}
+
+fem::Constants body_constants(const scene::Scene& scene) {
+    const auto d = static_cast<std::size_t>(scene.dimension);
+    const std::size_t voigt = d * (d + 1) / 2;
+    fem::Constants constants;
+    const auto tensor4 = [&](const std::string& name, const std::optional<scene::VoigtTensor>& tensor) {
+        constants[name] = tensor ? tensor->matrix : std::vector<double>(voigt * voigt, 0.0);
+        constants[name + "_zz"] = tensor ? tensor->out_of_plane : std::vector<double>(voigt, 0.0);
+    };
+    const auto tensor2 = [&](const std::string& name, const std::optional<scene::SymmetricTensor>& tensor) {
+        constants[name] = tensor ? tensor->matrix : std::vector<double>(d * d, 0.0);
+        constants[name + "_zz"] = {tensor ? tensor->out_of_plane : 0.0};
+    };
+    const scene::Material material = scene.material.value_or(scene::Material{});
+    const scene::Heat heat = scene.heat.value_or(scene::Heat{});
+    constants["rho"] = {material.density.value_or(0.0)};
+    constants["c"] = {heat.capacity.value_or(0.0)};
+    tensor4("E", material.elasticity);
+    tensor4("Visc", material.viscosity);
+    tensor2("K", heat.conductivity);
+    tensor2("M", heat.thermal_stress);
+    tensor2("R", heat.strain_heating);
+    return constants;
+}
+
+fem::Constants contact_constants(const scene::Contact& contact, double step) {
+    // without friction nothing sticks: every slip velocity is above this epsilon
+    fem::Constants constants{{"k", {step}}, {"eps", {-1.0}}};
+    if (contact.compliance) {
+        constants["c_n"] = {contact.compliance->stiffness};
+        constants["m"] = {contact.compliance->exponent};
+    }
+    if (contact.friction) {
+        constants["mu"] = {contact.friction->coefficient};
+        constants["eps"] = {contact.friction->regularisation};
+    }
+    if (contact.conductance) {
+        constants["k_c"] = {contact.conductance->coefficient};
+        constants["eps_c"] = {contact.conductance->onset};
+        constants["L"] = {contact.conductance->limit};
+    }
+    return constants;
+}
+
+}  // namespace thermocontact::model

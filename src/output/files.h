@@ -1,0 +1,15 @@
+/// Files that stand whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace thermocontact::output {
+
+/// Writes `content` beside `path` and renames it over. Throws SystemError naming the file and the reason.
+void write_whole(const std::filesystem::path& path, std::string_view content);
+
+/// Makes the folder and its parents. Throws SystemError if it cannot be written to.
+void make_folder(const std::filesystem::path& folder);
+
+}  // namespace thermocontact::output

@@ -1,0 +1,44 @@
+/// The results folder of a run (INTERFACE.md).
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "output/fields.h"
+
+namespace thermocontact::output {
+
+/// Seconds of the phases of a run.
+struct Seconds {
+    double setup = 0, factor = 0, steps = 0, output = 0, total = 0;
+};
+
+class Results {
+  public:
+    /// Makes the folder and clears the results of an earlier run from it. Throws SystemError if it is not writable.
+    Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation);
+
+    /// Appends the step's row to history.csv; writes its fields when they are due. Throws SystemError.
+    void add_step();
+
+    /// Writes the fields of the current state if add_step() did not: the last step, whatever `output.every`.
+    void add_fields();
+
+    /// Writes summary.json; `status` is "completed", "failed" or "interrupted", `reason` empty when completed.
+    void finish(const std::string& status, const std::string& reason, const Seconds& seconds);
+
+  private:
+    void clear() const;
+
+    std::filesystem::path folder_;
+    const scene::Scene* scene_;
+    march::Simulation* simulation_;
+    FieldGrids grids_;
+    std::ofstream history_;
+    std::vector<PvdEntry> entries_;
+    int last_fields_ = -1;
+};
+
+}  // namespace thermocontact::output

@@ -1,0 +1,86 @@
+#include "output/summary.h"
+
+#include <sys/resource.h>
+
+#include "fem/kernel.h"
+#include "model/physics.h"
+
+namespace thermocontact::output {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double peak_memory_mib() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+Json final_state(march::Simulation& simulation) {
+    Json result{{"time", simulation.state().time}};
+    for (const auto& [name, value] : simulation.norms()) {
+        result[name] = value;
+    }
+    result["contact"] = Json::object();
+    for (const auto& [name, measures] : simulation.contact_measures()) {
+        result["contact"][name] = {{"normal_force", measures.normal_force},
+                                   {"tangential_force", measures.tangential_force},
+                                   {"max_penetration", measures.max_penetration},
+                                   {"contact_fraction", measures.contact_fraction},
+                                   {"slip_fraction", measures.slip_fraction},
+                                   {"heat_flow", measures.heat_flow}};
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string version_text() {
+    return std::string(THERMOCONTACT_VERSION) + " (" + fem::kernel_provenance() + ")";
+}
+
+std::string strategy_reason(const scene::Scene& scene, const march::Simulation& simulation) {
+    const std::string unknowns = std::to_string(simulation.contact_unknowns()) + " contact unknowns";
+    if (scene.solver.strategy == "condensed") {
+        return "asked for; " + unknowns;
+    }
+    return simulation.contact_unknowns() == 0 ? "no contact: one triangular solve pair a step"
+                                              : unknowns + " fit a dense matrix";
+}
+
+Json summary(const scene::Scene& scene, march::Simulation& simulation, const std::string& status,
+             const std::string& reason, const Seconds& seconds) {
+    const march::Totals& totals = simulation.totals();
+    Json result{{"status", status}, {"version", version_text()}};
+    if (!reason.empty()) {
+        result["reason"] = reason;
+    }
+    result["scene"] = scene.resolved;
+    result["physics"] = model::physics_of(scene);
+    const auto unknowns = [](const std::vector<double>& field) { return field.size(); };
+    result["mesh"] = {{"cells", simulation.mesh().cell_count()},
+                      {"vertices", simulation.mesh().points.size()},
+                      {"unknowns",
+                       {{"displacement", unknowns(simulation.state().displacement)},
+                        {"temperature", unknowns(simulation.state().temperature)}}}};
+    result["solver"] = {{"strategy", "condensed"},
+                        {"why", strategy_reason(scene, simulation)},
+                        {"processes", 1},
+                        {"factor_entries", simulation.factor_entries()},
+                        {"contact_unknowns", simulation.contact_unknowns()}};
+    result["steps"] = simulation.state().step;
+    result["final"] = final_state(simulation);
+    result["newton"] = {{"iterations", totals.iterations},
+                        {"max_iterations_in_a_step", totals.max_iterations_in_a_step},
+                        {"retries", totals.retries}};
+    result["audit"] = {{"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
+    result["seconds"] = {{"setup", seconds.setup},
+                         {"factor", seconds.factor},
+                         {"steps", seconds.steps},
+                         {"output", seconds.output},
+                         {"total", seconds.total}};
+    result["peak_memory_mib"] = peak_memory_mib();
+    return result;
+}
+
+}  // namespace thermocontact::output

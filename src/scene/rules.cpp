@@ -1,0 +1,216 @@
+// What several keys must fulfil together.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/expression.h"
+#include "scene/settings.h"
+#include "scene/tensors.h"
+#include "scene/text.h"
+#include "scene/time_steps.h"
+
+namespace thermocontact::scene {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double most_squares = 1e8;  // keeps every count of a mesh within 32 bits
+
+[[noreturn]] void fail_at(const Settings& settings, const std::string& name, const std::string& message) {
+    const Entry* entry = settings.document->find(name);
+    fail(entry != nullptr ? entry->where : Location{.source = settings.document->file},
+         name + ": " + message);
+}
+
+void check_mesh(const Settings& settings) {
+    const json& lower = settings.value("mesh.lower");
+    const json& upper = settings.value("mesh.upper");
+    for (std::size_t i = 0; i < lower.size(); ++i) {
+        const double length = upper[i].get<double>() - lower[i].get<double>();
+        if (std::isfinite(length) && length > 0) {
+            continue;
+        }
+        if (settings.written("mesh.upper")) {
+            fail_at(settings, "mesh.upper",
+                    "expected to exceed mesh.lower = " + show(lower) + " in every component, found " +
+                        show(upper));
+        }
+        fail_at(
+            settings, "mesh.lower",
+            "expected to be below mesh.upper = " + show(upper) + " in every component, found " + show(lower));
+    }
+    double squares = 1;
+    for (const auto& count : settings.value("mesh.cells")) {
+        squares *= count.get<double>();
+    }
+    if (squares > most_squares) {
+        fail_at(settings, "mesh.cells",
+                "expected at most " + number_text(most_squares) + " squares, found " + number_text(squares));
+    }
+}
+
+void check_time(const Settings& settings) {
+    const Setting* step = settings.find("time.step");
+    if (step == nullptr) {
+        return;
+    }
+    const double end = settings.value("time.end").get<double>();
+    if (steps_of(end, step->value.get<double>()) == 0) {
+        fail_at(settings, "time.step",
+                "expected a step that divides time.end = " + number_text(end) + " into at most " +
+                    std::to_string(most_steps) + " equal steps, found " + show(step->value));
+    }
+}
+
+void check_physics(const Settings& settings) {
+    if (!settings.written("material") && !settings.written("heat")) {
+        fail({.source = settings.document->file},
+             "material: missing; a scene needs [material] or [heat] or both");
+    }
+    if (settings.written("material") && !settings.written("material.elasticity") &&
+        !settings.written("material.viscosity")) {
+        fail_at(settings, "material", "needs [material.elasticity] or [material.viscosity] or both");
+    }
+    if (settings.written("heat") && !settings.written("heat.capacity") &&
+        !settings.written("heat.conductivity")) {
+        fail_at(settings, "heat", "needs capacity or conductivity or both");
+    }
+}
+
+bool is_finite(const VoigtTensor& tensor) {
+    for (const auto& values : {tensor.matrix, tensor.out_of_plane}) {
+        for (const double value : values) {
+            if (!std::isfinite(value)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+void check_isotropic(const Settings& settings) {
+    if (settings.has("material.viscosity.trace")) {
+        const double mu1 = settings.value("material.viscosity.trace").get<double>();
+        const double mu2 = settings.value("material.viscosity.shear").get<double>();
+        if (!is_finite(isotropic_viscosity(mu1, mu2, true)) || 2 * mu1 + mu2 < 0) {
+            fail_at(settings, "material.viscosity.trace",
+                    "expected a number >= -shear/2 = " + number_text(-mu2 / 2) +
+                        " (Pa s) so that viscosity never produces energy, found " + number_text(mu1));
+        }
+    }
+    if (settings.has("material.elasticity.young")) {
+        const double young = settings.value("material.elasticity.young").get<double>();
+        const double poisson = settings.value("material.elasticity.poisson").get<double>();
+        const bool strain = settings.value("material.elasticity.plane") == "strain";
+        if (!is_finite(isotropic_elasticity(young, poisson, strain))) {
+            fail_at(settings, "material.elasticity.young",
+                    "the elasticity tensor overflows, found " + number_text(young));
+        }
+    }
+}
+
+/// Component of the traction that acts against a prescribed displacement, or -1.
+int traction_on_prescribed(const Settings& settings, const std::string& at) {
+    if (!settings.has(at + "traction") || !settings.has(at + "displacement")) {
+        return -1;
+    }
+    const json& traction = settings.value(at + "traction");
+    const json& displacement = settings.value(at + "displacement");
+    for (int i = 0; i < dimension; ++i) {
+        const auto component = static_cast<std::size_t>(i);
+        const json& f = traction[component];
+        const Expression value =
+            f.is_string() ? Expression(f.get<std::string>(), dimension) : Expression(f.get<double>());
+        if (displacement[component] != "free" && !value.is_zero()) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+bool is_fully_prescribed(const Settings& settings, const std::string& name) {
+    if (!settings.has(name)) {
+        return false;
+    }
+    for (const auto& component : settings.value(name)) {
+        if (component == "free") {
+            return false;
+        }
+    }
+    return true;
+}
+
+[[noreturn]] void fail_pair(const Settings& settings, const std::string& a, const std::string& b,
+                            const std::string& message) {
+    const Entry* first = settings.document->find(a);
+    const Entry* second = settings.document->find(b);
+    if (second < first) {
+        std::swap(first, second);
+    }
+    fail(second->where,
+         second->key + ": conflicts with " + first->key + " (" + first->where.brief() + "): " + message);
+}
+
+void check_boundary(const Settings& settings, const std::string& boundary) {
+    const std::string at = "boundary." + boundary + ".";
+    if (const int i = traction_on_prescribed(settings, at); i >= 0) {
+        const std::string component(1, "xyz"[i]);
+        fail_pair(settings, at + "displacement", at + "traction",
+                  "the " + component + " component is both prescribed and loaded; make it \"free\" or 0");
+    }
+    if (settings.written(at + "contact.compliance") && is_fully_prescribed(settings, at + "displacement")) {
+        fail_pair(settings, at + "displacement", at + "contact.compliance",
+                  "every displacement component is prescribed; make one \"free\"");
+    }
+    if (settings.written(at + "contact") && !settings.written(at + "contact.compliance") &&
+        !settings.written(at + "contact.conductance")) {
+        fail_at(settings, at + "contact",
+                "needs [" + at + "contact.compliance] or [" + at + "contact.conductance]");
+    }
+}
+
+void check_fields(const Settings& settings) {
+    const Setting* fields = settings.find("output.fields");
+    if (fields == nullptr) {
+        return;
+    }
+    const auto existing = existing_fields(settings);
+    for (const auto& item : fields->value) {
+        const auto field = item.get<std::string>();
+        if (std::find(existing.begin(), existing.end(), field) == existing.end()) {
+            fail_at(settings, "output.fields",
+                    "\"" + field + "\" is no field of this scene, which has " + one_of(existing));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> existing_fields(const Settings& settings) {
+    const bool contact = !settings.boundaries_with("boundary.NAME.contact").empty();
+    std::vector<std::string> fields;
+    for (const std::string& field : find_key("output.fields")->choices) {
+        const bool exists = field == "contact"       ? contact
+                            : field == "temperature" ? settings.written("heat")
+                                                     : settings.written("material");
+        if (exists) {
+            fields.push_back(field);
+        }
+    }
+    return fields;
+}
+
+void check_rules(const Settings& settings) {
+    check_mesh(settings);
+    check_time(settings);
+    check_physics(settings);
+    check_isotropic(settings);
+    for (const std::string& boundary : settings.boundaries) {
+        check_boundary(settings, boundary);
+    }
+    check_fields(settings);
+}
+
+}  // namespace thermocontact::scene

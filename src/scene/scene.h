@@ -1,0 +1,126 @@
+/// A scene as plain, validated data: everything a run needs to know, nothing about how it is computed.
+/// An optional that is empty is physics that is not modelled.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/expression.h"
+
+namespace thermocontact::scene {
+
+struct MeshSpec {
+    std::string shape;          ///< "rectangle"
+    std::vector<double> lower;  ///< [d], m
+    std::vector<double> upper;  ///< [d], m
+    std::vector<int> cells;     ///< [d]
+    std::string diagonal;       ///< "right" | "left" | "crossed"
+};
+
+struct TimeSpec {
+    double end;          ///< s
+    int steps;           ///< number of uniform steps
+    std::string scheme;  ///< "backward-euler"
+};
+
+/// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s], s = 3
+/// in 2D (xx, yy, xy). `out_of_plane` [s] gives sigma_zz for plane strain (zero otherwise).
+struct VoigtTensor {
+    std::vector<double> matrix;
+    std::vector<double> out_of_plane;
+};
+
+/// Symmetric second-order tensor, row-major [d][d]; `out_of_plane` is its zz component (plane strain, else 0).
+struct SymmetricTensor {
+    std::vector<double> matrix;
+    double out_of_plane = 0;
+};
+
+struct Material {
+    std::optional<double> density;          ///< kg/m^3; absent: quasi-static
+    std::optional<VoigtTensor> elasticity;  ///< Pa
+    std::optional<VoigtTensor> viscosity;   ///< Pa s
+};
+
+struct Heat {
+    std::optional<double> capacity;                 ///< J/(m^3 K)
+    std::optional<SymmetricTensor> conductivity;    ///< W/(m K)
+    std::optional<Expression> source;               ///< W/m^3
+    std::optional<SymmetricTensor> thermal_stress;  ///< M, Pa/K
+    std::optional<SymmetricTensor> strain_heating;  ///< R, Pa/K (W/m^3 per unit strain)
+};
+
+struct Initial {
+    std::vector<Expression> displacement;   ///< [d] m; empty: zero
+    std::vector<Expression> velocity;       ///< [d] m/s; empty: zero
+    std::optional<Expression> temperature;  ///< K; empty: zero
+};
+
+struct Compliance {
+    double stiffness;  ///< c_n, Pa/m^exponent
+    double exponent;   ///< m in p_n(r) = c_n r_+^m
+};
+
+struct Friction {
+    double coefficient;     ///< mu
+    double regularisation;  ///< epsilon, m/s
+};
+
+struct Conductance {
+    double coefficient;                 ///< k_c, W/(m^2 K)
+    double onset;                       ///< epsilon_c, m
+    Expression foundation_temperature;  ///< theta_F, K
+    double limit = std::numeric_limits<double>::infinity();  ///< L, K
+};
+
+struct Contact {
+    Expression gap;      ///< initial gap g, m
+    int quadrature = 4;  ///< degree of the Gauss rule on facets; 0: the rule at the facet's nodes ("vertex")
+    std::optional<Compliance> compliance;
+    std::optional<Friction> friction;
+    std::optional<Conductance> conductance;
+};
+
+struct Boundary {
+    std::vector<std::optional<Expression>> displacement;  ///< [d] m, empty component: free; size 0: not prescribed
+    std::vector<Expression> traction;                     ///< [d] Pa; size 0: none
+    std::optional<Expression> temperature;                ///< K
+    std::optional<Expression> heat_flux;                  ///< W/m^2 into the body
+    std::optional<Contact> contact;
+};
+
+struct SolverSpec {
+    std::string strategy;     ///< "auto" | "condensed"
+    double tolerance;         ///< relative, of each nonlinear solve
+    int max_iterations;       ///< of one Newton solve
+};
+
+struct OutputSpec {
+    int every;                        ///< steps between field outputs
+    std::vector<std::string> fields;  ///< subset of the names in `output_fields`
+};
+
+struct Scene {
+    std::string title;
+    std::filesystem::path path;
+    int dimension = 2;
+    int degree = 1;
+    MeshSpec mesh;
+    TimeSpec time;
+    std::optional<Material> material;
+    std::optional<Heat> heat;
+    std::vector<Expression> body_force;  ///< [d] N/m^3; size 0: none
+    Initial initial;
+    std::map<std::string, Boundary> boundaries;
+    SolverSpec solver;
+    OutputSpec output;
+    nlohmann::ordered_json resolved;  ///< every key that is in force, defaults included
+};
+
+}  // namespace thermocontact::scene

@@ -1,0 +1,187 @@
+#include "scene/schema.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "scene/text.h"
+
+namespace thermocontact::scene {
+
+namespace {
+
+constexpr std::string_view placeholder = "NAME";
+
+const std::set<std::string>& tables() {
+    static const std::set<std::string> names = [] {
+        std::set<std::string> all;
+        for (const Key& key : schema()) {
+            const auto parts = split(key.name);
+            for (std::size_t n = 1; n < parts.size(); ++n) {
+                all.insert(join(parts, n));
+            }
+        }
+        return all;
+    }();
+    return names;
+}
+
+std::string with_unit(const std::string& text, const Key& key) {
+    return key.unit.empty() ? text : text + " (" + key.unit + ")";
+}
+
+std::string variables() {
+    return dimension == 3 ? "x, y, z, t" : "x, y, t";
+}
+
+std::string matrix(int n) {
+    return std::to_string(n) + " x " + std::to_string(n) + " matrix";
+}
+
+std::string ranged(const std::string& what, const Key& key) {
+    const std::string range = key.range.text();
+    return range.empty() ? what : what + " " + range;
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+    if (!std::isfinite(value) && !(infinite && value > 0)) {
+        return false;
+    }
+    return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+}
+
+std::string Range::text() const {
+    if (std::isinf(low) && std::isinf(high)) {
+        return {};
+    }
+    if (std::isinf(high)) {
+        return (low_open ? "> " : ">= ") + number_text(low);
+    }
+    return std::string("in ") + (low_open ? "(" : "[") + number_text(low) + ", " + number_text(high) +
+           (high_open ? ")" : "]");
+}
+
+std::string Key::table() const {
+    const auto parts = split(name);
+    return join(parts, parts.size() - 1);
+}
+
+std::string Key::leaf() const {
+    return split(name).back();
+}
+
+const Key* find_key(const std::string& pattern) {
+    static const std::map<std::string, const Key*> index = [] {
+        std::map<std::string, const Key*> all;
+        for (const Key& key : schema()) {
+            all.emplace(key.name, &key);
+        }
+        return all;
+    }();
+    const auto found = index.find(pattern);
+    return found == index.end() ? nullptr : found->second;
+}
+
+bool is_table(const std::string& pattern) {
+    return tables().contains(pattern);
+}
+
+bool is_always_present(const std::string& table) {
+    static const std::set<std::string> names = {"", "mesh", "space", "time", "solver", "output"};
+    return names.contains(table);
+}
+
+std::string pattern_of(const std::string& name) {
+    auto parts = split(name);
+    if (parts.size() > 1 && parts[0] == "boundary") {
+        parts[1] = placeholder;
+    }
+    return join(parts, parts.size());
+}
+
+std::string instance_of(const std::string& pattern, const std::string& boundary) {
+    auto parts = split(pattern);
+    std::replace(parts.begin(), parts.end(), std::string(placeholder), boundary);
+    return join(parts, parts.size());
+}
+
+std::vector<std::string> boundary_names(const std::string& shape) {
+    static const std::map<std::string, std::vector<std::string>> names = {
+        {"rectangle", {"left", "right", "bottom", "top"}}};
+    return names.at(shape);
+}
+
+std::string type_name(Type type) {
+    const std::string d = std::to_string(dimension);
+    switch (type) {
+        case Type::text:
+            return "string";
+        case Type::choice:
+            return "choice";
+        case Type::choices:
+            return "list of choices";
+        case Type::integer:
+            return "integer";
+        case Type::integer_or_choice:
+            return "integer or choice";
+        case Type::number:
+            return "number";
+        case Type::numbers:
+            return d + " numbers";
+        case Type::integers:
+            return d + " integers";
+        case Type::expression:
+            return "expression";
+        case Type::expressions:
+            return d + " expressions";
+        case Type::free_expressions:
+            return d + " expressions or free";
+        case Type::symmetric_tensor:
+            return "symmetric tensor";
+        case Type::semidefinite_tensor:
+            return "positive semidefinite tensor";
+        case Type::voigt_tensor:
+            return "positive semidefinite Voigt matrix";
+    }
+    return {};
+}
+
+std::string expectation(const Key& key) {
+    const std::string array = "an array of " + std::to_string(dimension) + " ";
+    switch (key.type) {
+        case Type::text:
+            return "a string";
+        case Type::choice:
+            return one_of(key.choices);
+        case Type::choices:
+            return "a list of names, each once, among " + one_of(key.choices);
+        case Type::integer:
+            return with_unit(ranged("an integer", key), key);
+        case Type::integer_or_choice:
+            return ranged("an integer", key) + " or " + one_of(key.choices);
+        case Type::number:
+            return with_unit(ranged("a number", key), key);
+        case Type::numbers:
+            return with_unit(array + "numbers", key);
+        case Type::integers:
+            return with_unit(array + ranged("integers", key), key);
+        case Type::expression:
+            return with_unit("a number or an expression in " + variables(), key);
+        case Type::expressions:
+            return with_unit(array + "numbers or expressions in " + variables(), key);
+        case Type::free_expressions:
+            return with_unit(array + "numbers, expressions in " + variables() + " or \"free\"", key);
+        case Type::symmetric_tensor:
+            return with_unit("a number or a symmetric " + matrix(dimension), key);
+        case Type::semidefinite_tensor:
+            return with_unit("a number > 0 or a symmetric positive semidefinite " + matrix(dimension), key);
+        case Type::voigt_tensor:
+            return with_unit("a symmetric positive semidefinite " + matrix(voigt_size), key);
+    }
+    return {};
+}
+
+}  // namespace thermocontact::scene

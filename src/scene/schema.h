@@ -1,0 +1,94 @@
+/// Every key of a scene, declared once: what validation, messages, `resolved` and `thermocontact schema` are
+/// made of.
+#pragma once
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace thermocontact::scene {
+
+constexpr int dimension = 2;   ///< of the shapes there are
+constexpr int voigt_size = 3;  ///< components of a symmetric tensor
+
+enum class Type {
+    text,
+    choice,               ///< one of Key::choices
+    choices,              ///< a list of names among Key::choices
+    integer,              ///< in Key::range
+    integer_or_choice,    ///< in Key::range, or one of Key::choices
+    number,               ///< in Key::range
+    numbers,              ///< [d]
+    integers,             ///< [d], each in Key::range
+    expression,           ///< number or formula
+    expressions,          ///< [d]
+    free_expressions,     ///< [d], each possibly "free"
+    symmetric_tensor,     ///< number or symmetric d x d matrix
+    semidefinite_tensor,  ///< number > 0 or symmetric positive semidefinite d x d matrix
+    voigt_tensor          ///< symmetric positive semidefinite 3 x 3 matrix
+};
+
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_open = false;
+    bool high_open = false;
+    bool infinite = false;  ///< inf itself is a value
+
+    bool contains(double value) const;
+    std::string text() const;  ///< "> 0", "in (-1, 0.5)"; empty: unlimited
+};
+
+/// Names are dotted; NAME stands for a boundary's name. Defaults and examples are JSON text that is TOML as
+/// well.
+struct Key {
+    std::string name;
+    Type type;
+    std::string unit = {};
+    Range range = {};
+    std::vector<std::string> choices = {};
+    std::string fallback = {};  ///< default; empty: none
+    bool required = false;      ///< wherever its table is present
+    std::string instead = {};   ///< the key that takes its place: exactly one of the two is in force
+    std::vector<std::string> excludes = {};  ///< keys and tables that cannot stand beside it
+    std::vector<std::string> needs = {};     ///< keys and tables without which it has no meaning
+    std::string example;
+    std::string description;
+
+    std::string table() const;  ///< "mesh" of "mesh.cells"; empty for `title`
+    std::string leaf() const;   ///< "cells" of "mesh.cells"
+};
+
+/// All keys, in the order of the reference.
+const std::vector<Key>& schema();
+
+/// The declaration of `pattern` ("boundary.NAME.traction"), or nullptr.
+const Key* find_key(const std::string& pattern);
+
+/// Whether `pattern` is the dotted name of a table.
+bool is_table(const std::string& pattern);
+
+/// Whether the table is in force without being written: its defaults always hold and its required keys must
+/// be there.
+bool is_always_present(const std::string& table);
+
+/// "boundary.left.traction" -> "boundary.NAME.traction"; other names unchanged.
+std::string pattern_of(const std::string& name);
+
+/// The inverse, for boundary `boundary`; names without NAME unchanged.
+std::string instance_of(const std::string& pattern, const std::string& boundary);
+
+/// Names of the sides of a mesh shape.
+std::vector<std::string> boundary_names(const std::string& shape);
+
+/// "integer", "2 numbers", ...
+std::string type_name(Type type);
+
+/// What a message says was expected: "a number > 0 (kg/m^3)".
+std::string expectation(const Key& key);
+
+/// The reference in `format` "toml", "json" or "markdown".
+std::string print_schema(const std::string& format);
+
+}  // namespace thermocontact::scene

@@ -1,0 +1,203 @@
+// The table of scene keys. `example` is a value that is valid beside the other keys' examples.
+
+#include "scene/schema.h"
+
+namespace thermocontact::scene {
+
+namespace {
+
+constexpr Range positive{.low = 0, .low_open = true};
+constexpr Range not_negative{.low = 0};
+
+Range from_to(double low, double high) {
+    return {.low = low, .high = high};
+}
+
+// One paragraph a key, not one line a field.
+// clang-format off
+
+std::vector<Key> general_keys() {
+    return {
+        {.name = "title", .type = Type::text, .fallback = R"("")", .example = R"("sliding block")",
+         .description = "Title of the scene, repeated in the results."},
+
+        {.name = "mesh.shape", .type = Type::choice, .choices = {"rectangle"}, .fallback = R"("rectangle")",
+         .example = R"("rectangle")",
+         .description = "Shape of the body; its sides are named left, right, bottom and top."},
+        {.name = "mesh.lower", .type = Type::numbers, .unit = "m", .fallback = "[0.0, 0.0]",
+         .example = "[-1.0, 0.0]", .description = "Lower left corner."},
+        {.name = "mesh.upper", .type = Type::numbers, .unit = "m", .fallback = "[1.0, 1.0]",
+         .example = "[2.0, 1.5]", .description = "Upper right corner."},
+        {.name = "mesh.cells", .type = Type::integers, .range = from_to(1, 1e8), .required = true,
+         .example = "[8, 4]",
+         .description = "Number of squares along x and y; each is split into triangles."},
+        {.name = "mesh.diagonal", .type = Type::choice, .choices = {"right", "left", "crossed"},
+         .fallback = R"("right")", .example = R"("crossed")",
+         .description = "Diagonal that splits the squares: right from lower left to upper right, left the "
+         "other, crossed both."},
+        {.name = "mesh.cell", .type = Type::choice, .choices = {"simplex"}, .fallback = R"("simplex")",
+         .example = R"("simplex")", .description = "Kind of cells: simplex for triangles."},
+
+        {.name = "space.degree", .type = Type::integer, .range = from_to(1, 2), .fallback = "1",
+         .example = "2", .description = "Polynomial degree of displacement and temperature."},
+
+        {.name = "time.end", .type = Type::number, .unit = "s", .range = positive, .required = true,
+         .example = "2.0", .description = "Time at which the run ends; it begins at 0."},
+        {.name = "time.steps", .type = Type::integer, .range = from_to(1, 1e9), .required = true,
+         .instead = "time.step", .example = "20", .description = "Number of equal time steps."},
+        {.name = "time.step", .type = Type::number, .unit = "s", .range = positive, .required = true,
+         .instead = "time.steps", .example = "0.125",
+         .description = "Length of a time step; it must divide the end time."},
+        {.name = "time.scheme", .type = Type::choice, .choices = {"backward-euler"},
+         .fallback = R"("backward-euler")", .example = R"("backward-euler")",
+         .description = "Time integration scheme."},
+    };
+}
+
+std::vector<Key> material_keys() {
+    return {
+        {.name = "material.density", .type = Type::number, .unit = "kg/m^3", .range = positive,
+         .example = "7850.0", .description = "Mass density; absent: quasi-static."},
+
+        {.name = "material.elasticity.young", .type = Type::number, .unit = "Pa", .range = positive,
+         .required = true, .instead = "material.elasticity.tensor", .example = "2.1e11",
+         .description = "Young's modulus of an isotropic material."},
+        {.name = "material.elasticity.poisson", .type = Type::number,
+         .range = {.low = -1, .high = 0.5, .low_open = true, .high_open = true}, .required = true,
+         .instead = "material.elasticity.tensor", .example = "0.3",
+         .description = "Poisson's ratio of an isotropic material."},
+        {.name = "material.elasticity.plane", .type = Type::choice, .choices = {"stress", "strain"},
+         .fallback = R"("stress")", .instead = "material.elasticity.tensor", .example = R"("strain")",
+         .description = "Plane stress (thin body) or plane strain (long body)."},
+        {.name = "material.elasticity.tensor", .type = Type::voigt_tensor, .unit = "Pa",
+         .example = "[[3.0, 1.0, 0.0], [1.0, 3.0, 0.0], [0.0, 0.0, 1.0]]",
+         .description = "Elasticity as Voigt matrix for (e_xx, e_yy, 2 e_xy), in place of young and "
+         "poisson."},
+
+        {.name = "material.viscosity.trace", .type = Type::number, .unit = "Pa s", .required = true,
+         .instead = "material.viscosity.tensor", .example = "10.0",
+         .description = "mu1 in the viscous stress mu1 tr(e) I + mu2 e, e the strain rate."},
+        {.name = "material.viscosity.shear", .type = Type::number, .unit = "Pa s", .range = not_negative,
+         .required = true, .instead = "material.viscosity.tensor", .example = "10.0",
+         .description = "mu2 in the viscous stress mu1 tr(e) I + mu2 e, e the strain rate."},
+        {.name = "material.viscosity.tensor", .type = Type::voigt_tensor, .unit = "Pa s",
+         .example = "[[20.0, 10.0, 0.0], [10.0, 20.0, 0.0], [0.0, 0.0, 5.0]]",
+         .description = "Viscosity as Voigt matrix for (e_xx, e_yy, 2 e_xy), in place of trace and shear."},
+
+        {.name = "heat.capacity", .type = Type::number, .unit = "J/(m^3 K)", .range = positive,
+         .example = "3.6e6", .description = "Heat capacity per volume; absent: stationary heat conduction."},
+        {.name = "heat.conductivity", .type = Type::semidefinite_tensor, .unit = "W/(m K)",
+         .example = "[[2.0, 0.5], [0.5, 1.0]]",
+         .description = "Thermal conductivity; a number means isotropic."},
+        {.name = "heat.source", .type = Type::expression, .unit = "W/m^3", .example = R"("1.0 + x*t")",
+         .description = "Heat produced per volume."},
+        {.name = "heat.thermal_stress", .type = Type::symmetric_tensor, .unit = "Pa/K", .needs = {"material"},
+         .example = "[[1.0, 0.5], [0.5, 1.0]]",
+         .description = "M in the stress -theta M of a temperature theta; a number means isotropic."},
+        {.name = "heat.strain_heating", .type = Type::symmetric_tensor, .unit = "Pa/K", .needs = {"material"},
+         .example = "1.5",
+         .description = "R in the heat R : e(u) produced per volume by a strain e(u); a number means "
+         "isotropic."},
+
+        {.name = "load.body_force", .type = Type::expressions, .unit = "N/m^3", .needs = {"material"},
+         .example = R"toml([0.0, "-9.81*min(t, 1)"])toml", .description = "Force per volume."},
+
+        {.name = "initial.displacement", .type = Type::expressions, .unit = "m", .needs = {"material"},
+         .example = R"(["0.01*x", 0.0])", .description = "Displacement at time 0; absent: zero."},
+        {.name = "initial.velocity", .type = Type::expressions, .unit = "m/s", .needs = {"material.density"},
+         .example = R"([0.0, "-1"])", .description = "Velocity at time 0; absent: zero."},
+        {.name = "initial.temperature", .type = Type::expression, .unit = "K", .needs = {"heat"},
+         .example = R"("20 + y")", .description = "Temperature at time 0; absent: zero."},
+    };
+}
+
+std::vector<Key> boundary_keys() {
+    return {
+        {.name = "boundary.NAME.displacement", .type = Type::free_expressions, .unit = "m",
+         .needs = {"material"}, .example = R"(["free", "-0.01*t"])",
+         .description = "Prescribed displacement; a component may be left \"free\"."},
+        {.name = "boundary.NAME.traction", .type = Type::expressions, .unit = "Pa", .needs = {"material"},
+         .example = R"toml([1.4, "0.4*cos(pi*t)"])toml", .description = "Force per area on the boundary."},
+        {.name = "boundary.NAME.temperature", .type = Type::expression, .unit = "K",
+         .excludes = {"boundary.NAME.heat_flux", "boundary.NAME.contact.conductance"}, .needs = {"heat"},
+         .example = R"("10*t")", .description = "Prescribed temperature, from the first step on."},
+        {.name = "boundary.NAME.heat_flux", .type = Type::expression, .unit = "W/m^2", .needs = {"heat"},
+         .example = "5.0", .description = "Heat that flows into the body per area."},
+
+        {.name = "boundary.NAME.contact.gap", .type = Type::expression, .unit = "m", .fallback = "0.0",
+         .example = R"("0.001*x^2")", .description = "Initial gap between the boundary and the foundation."},
+        {.name = "boundary.NAME.contact.quadrature", .type = Type::integer_or_choice, .range = from_to(1, 9),
+         .choices = {"vertex"}, .fallback = "4", .example = R"("vertex")",
+         .description = "Degree up to which the Gauss rule of contact integrals is exact, or vertex for the "
+         "rule at the facet's nodes."},
+
+        {.name = "boundary.NAME.contact.compliance.stiffness", .type = Type::number, .unit = "Pa/m^exponent",
+         .range = positive, .required = true, .needs = {"material"}, .example = "1e4",
+         .description = "c_n in the normal pressure p_n(r) = c_n max(r, 0)^exponent of a penetration r."},
+        {.name = "boundary.NAME.contact.compliance.exponent", .type = Type::number, .range = {.low = 1},
+         .fallback = "1.0", .needs = {"material"}, .example = "1.5",
+         .description = "Exponent of the normal compliance law."},
+
+        {.name = "boundary.NAME.contact.friction.coefficient", .type = Type::number, .range = not_negative,
+         .required = true, .needs = {"boundary.NAME.contact.compliance"}, .example = "0.2",
+         .description = "Coulomb's friction coefficient mu: the friction bound is mu p_n."},
+        {.name = "boundary.NAME.contact.friction.regularisation", .type = Type::number, .unit = "m/s",
+         .range = positive, .required = true, .needs = {"boundary.NAME.contact.compliance"},
+         .example = "1e-4",
+         .description = "Slip velocity epsilon below which friction is smoothed; Coulomb's law is the limit "
+         "0."},
+
+        {.name = "boundary.NAME.contact.conductance.coefficient", .type = Type::number, .unit = "W/(m^2 K)",
+         .range = not_negative, .required = true, .needs = {"heat"}, .example = "1.0",
+         .description = "Heat transfer coefficient k_c of closed contact."},
+        {.name = "boundary.NAME.contact.conductance.onset", .type = Type::number, .unit = "m",
+         .range = positive, .required = true, .needs = {"heat"}, .example = "1e-5",
+         .description = "Penetration over which the heat transfer coefficient rises from 0 to its full "
+         "value."},
+        {.name = "boundary.NAME.contact.conductance.foundation_temperature", .type = Type::expression,
+         .unit = "K", .required = true, .needs = {"heat"}, .example = R"toml("10*min(t, 1)")toml",
+         .description = "Temperature of the foundation."},
+        {.name = "boundary.NAME.contact.conductance.limit", .type = Type::number, .unit = "K",
+         .range = {.low = 0, .low_open = true, .infinite = true}, .needs = {"heat"}, .example = "100.0",
+         .description = "Largest temperature difference that drives the heat flow; absent: unlimited."},
+    };
+}
+
+std::vector<Key> run_keys() {
+    return {
+        {.name = "solver.strategy", .type = Type::choice, .choices = {"auto", "condensed"},
+         .fallback = R"("auto")", .example = R"("condensed")",
+         .description = "How a step's nonlinear problem is solved: condensed reduces it to the contact "
+         "unknowns."},
+        {.name = "solver.tolerance", .type = Type::number,
+         .range = {.low = 0, .high = 1e-2, .low_open = true}, .fallback = "1e-12", .example = "1e-10",
+         .description = "Relative residual at which a nonlinear solve has converged."},
+        {.name = "solver.max_iterations", .type = Type::integer, .range = from_to(1, 1e5), .fallback = "50",
+         .example = "80", .description = "Largest number of iterations of one Newton solve."},
+
+        {.name = "output.every", .type = Type::integer, .range = from_to(1, 1e9), .fallback = "1",
+         .example = "5",
+         .description = "Steps between field outputs; the first and the last state are always written."},
+        {.name = "output.fields", .type = Type::choices,
+         .choices = {"displacement", "velocity", "temperature", "stress", "von_mises", "contact"},
+         .example = R"(["displacement", "stress"])",
+         .description = "Fields to write; absent: all that the scene has, empty list: no field files."},
+    };
+}
+
+// clang-format on
+
+}  // namespace
+
+const std::vector<Key>& schema() {
+    static const std::vector<Key> keys = [] {
+        std::vector<Key> all;
+        for (const auto& group : {general_keys(), material_keys(), boundary_keys(), run_keys()}) {
+            all.insert(all.end(), group.begin(), group.end());
+        }
+        return all;
+    }();
+    return keys;
+}
+
+}  // namespace thermocontact::scene

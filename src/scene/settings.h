@@ -1,0 +1,59 @@
+/// The validated keys of a scene: what was written, and the defaults in force.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/document.h"
+#include "scene/schema.h"
+
+namespace thermocontact::scene {
+
+struct Setting {
+    const Key* key = nullptr;
+    Location where;        ///< of defaults: the table's place
+    nlohmann::json value;  ///< normalised: numbers are double where the type is no integer
+};
+
+struct Settings {
+    const Document* document = nullptr;
+    std::vector<std::string> boundaries;       ///< written in the scene, alphabetical
+    std::map<std::string, Setting> by_name;    ///< keys in force
+    std::vector<std::string> in_schema_order;  ///< their names
+
+    const Setting* find(const std::string& name) const;
+    bool has(const std::string& name) const { return find(name) != nullptr; }
+    const nlohmann::json& value(const std::string& name) const { return by_name.at(name).value; }
+
+    /// Whether a key or table is written in the scene.
+    bool written(const std::string& name) const { return document->find(name) != nullptr; }
+
+    /// Names of the boundaries for which `pattern` (with NAME) exists as key or table.
+    std::vector<std::string> boundaries_with(const std::string& pattern) const;
+
+    /// Every key in force as nested tables, in the schema's order; such a file is a scene again.
+    nlohmann::ordered_json resolved() const;
+};
+
+/// Checks every entry by itself (known key, type, range), then presence, needs and conflicts as the schema
+/// declares them. Throws SceneError at the first fault. `document` must outlive the result.
+Settings check_document(const Document& document);
+
+/// Checks that involve several keys beyond what the schema can declare.
+void check_rules(const Settings& settings);
+
+/// Names of the fields that the scene has, in the schema's order.
+std::vector<std::string> existing_fields(const Settings& settings);
+
+/// Throws SceneError unless the schema knows `entry` as the key or table that it is.
+void check_known(const Entry& entry);
+
+/// The normalised value of a leaf; throws SceneError saying what was expected.
+nlohmann::json check_value(const Key& key, const Entry& entry);
+
+/// "WHERE: KEY: expected EXPECTATION, found VALUE", `remark` appended.
+[[noreturn]] void fail_value(const Key& key, const Entry& entry, const std::string& remark = {});
+
+}  // namespace thermocontact::scene

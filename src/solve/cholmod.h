@@ -1,0 +1,53 @@
+/// CHOLMOD's objects with owners.
+#pragma once
+
+#include <cholmod.h>
+
+#include <memory>
+
+#include "solve/panel_factor.h"
+
+namespace thermocontact::solve {
+
+/// Settings and workspace of CHOLMOD, quiet.
+class CholmodCommon {
+  public:
+    CholmodCommon() {
+        cholmod_start(&common_);
+        common_.print = 0;
+        common_.error_handler = nullptr;
+    }
+    ~CholmodCommon() { cholmod_finish(&common_); }
+    CholmodCommon(const CholmodCommon&) = delete;
+    CholmodCommon& operator=(const CholmodCommon&) = delete;
+
+    cholmod_common* get() { return &common_; }
+    cholmod_common* operator->() { return &common_; }
+
+  private:
+    cholmod_common common_{};
+};
+
+struct FactorDeleter {
+    CholmodCommon* common;
+    void operator()(cholmod_factor* factor) const { cholmod_free_factor(&factor, common->get()); }
+};
+using FactorPointer = std::unique_ptr<cholmod_factor, FactorDeleter>;
+
+/// A view of `matrix` for CHOLMOD; pattern only where it holds no values.
+inline cholmod_sparse view(const SymmetricMatrix& matrix) {
+    cholmod_sparse result{};
+    result.nrow = result.ncol = static_cast<std::size_t>(matrix.size);
+    result.nzmax = matrix.rows.size();
+    result.p = const_cast<std::int32_t*>(matrix.offsets.data());
+    result.i = const_cast<std::int32_t*>(matrix.rows.data());
+    result.x = matrix.values.empty() ? nullptr : const_cast<double*>(matrix.values.data());
+    result.stype = -1;
+    result.itype = CHOLMOD_INT;
+    result.xtype = matrix.values.empty() ? CHOLMOD_PATTERN : CHOLMOD_REAL;
+    result.dtype = CHOLMOD_DOUBLE;
+    result.sorted = result.packed = 1;
+    return result;
+}
+
+}  // namespace thermocontact::solve

@@ -1,0 +1,46 @@
+/// A symmetric positive definite system reduced to its contact unknowns (MODEL.md, 5).
+///
+/// With the contact unknowns c ordered last, A = L L^T gives the Schur complement S = A_cc - A_ci A_ii^-1 A_ic and, for
+/// a right-hand side r, the condensed s = r_c - A_ci A_ii^-1 r_i by one forward solve. A nonlinear F_c(x_c) then leaves
+/// S x_c + F_c(x_c) = s, and one backward solve gives x_i.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fem/block_matrix.h"
+#include "solve/panel_factor.h"
+
+namespace thermocontact::solve {
+
+class CondensedSystem {
+  public:
+    /// `fixed` [dofs] marks prescribed unknowns, which drop out; `contact` [nodes] marks the nodes whose other unknowns
+    /// are kept. Throws NotPositiveDefinite with the dof at fault.
+    CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed, const std::vector<char>& contact);
+
+    /// Dofs of the contact unknowns, in the order of S.
+    const std::vector<std::int32_t>& contact_dofs() const { return contact_dofs_; }
+
+    const Eigen::MatrixXd& schur_complement() const { return schur_; }
+
+    /// Condensed right-hand side s of the full one [dofs]. Keeps what expand() needs.
+    Eigen::VectorXd condense(const std::vector<double>& rhs);
+
+    /// Writes all unknowns that are not fixed into `solution` [dofs], from the contact unknowns.
+    void expand(const Eigen::VectorXd& contact, std::vector<double>& solution);
+
+    std::int64_t factor_entries() const { return factor_ ? factor_->entries() : 0; }
+
+  private:
+    std::optional<PanelFactor> factor_;  ///< empty if every dof is fixed
+    std::vector<std::int32_t> dofs_;     ///< dof at each position of the factor
+    std::vector<std::int32_t> contact_dofs_;
+    Eigen::MatrixXd schur_;
+    std::vector<double> work_;
+};
+
+}  // namespace thermocontact::solve

@@ -1,0 +1,95 @@
+#include "solve/newton.h"
+
+#include <cmath>
+
+namespace thermocontact::solve {
+namespace {
+
+constexpr int max_halvings = 20;
+constexpr double sufficient_decrease = 1e-4;  ///< Armijo's constant
+constexpr double kept_factors_rate = 0.1;     ///< the least contraction that makes old factors worth keeping
+constexpr double smallest_pivot = 1e-14;       ///< of the largest entry in its row; below is round-off
+
+}  // namespace
+
+const char* describe(NewtonEnd end) {
+    switch (end) {
+        case NewtonEnd::converged:
+            return "converged";
+        case NewtonEnd::too_many_iterations:
+            return "too many Newton iterations";
+        case NewtonEnd::line_search_failed:
+            return "the line search found no descent";
+        case NewtonEnd::not_finite:
+            return "a value that is not finite";
+        case NewtonEnd::singular:
+            return "a singular Newton matrix";
+    }
+    return "";
+}
+
+Newton::Residual Newton::residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
+                                  const Eigen::VectorXd& x) {
+    linear_.noalias() = S * x;
+    F.evaluate(x, nonlinear_);
+    Eigen::VectorXd value = linear_ + nonlinear_ - s;
+    const double norm = value.norm();
+    const double scale = linear_.norm() + nonlinear_.norm() + s.norm();
+    return {std::move(value), norm, scale > 0 ? norm / scale : norm};
+}
+
+bool Newton::factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x) {
+    derivative_ = S;
+    F.add_derivative(x, derivative_);
+    factors_.compute(derivative_);
+    ++factorisations_;
+    const Eigen::VectorXd scale = factors_.permutationP() * derivative_.cwiseAbs().rowwise().maxCoeff();
+    const auto pivots = factors_.matrixLU().diagonal().cwiseAbs().array();
+    has_factors_ = (pivots > smallest_pivot * scale.array()).all();
+    return has_factors_;
+}
+
+NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x) {
+    Residual current = residual(S, s, F, x);
+    bool fresh = false;
+    for (int iteration = 0;; ++iteration) {
+        if (!std::isfinite(current.norm)) {
+            return {NewtonEnd::not_finite, iteration, current.relative};
+        }
+        if (current.relative <= options_.tolerance) {
+            return {NewtonEnd::converged, iteration, current.relative};
+        }
+        if (iteration == options_.max_iterations) {
+            return {NewtonEnd::too_many_iterations, iteration, current.relative};
+        }
+        if (has_factors_ && !fresh) {
+            Eigen::VectorXd candidate = x - factors_.solve(current.value);
+            Residual next = residual(S, s, F, candidate);
+            if (next.norm <= kept_factors_rate * current.norm) {
+                x = std::move(candidate);
+                current = std::move(next);
+                continue;
+            }
+        }
+        if (!factor(S, F, x)) {
+            return {NewtonEnd::singular, iteration, current.relative};
+        }
+        const Eigen::VectorXd direction = -factors_.solve(current.value);
+        double length = 1.0;
+        for (int halving = 0;; ++halving, length /= 2) {
+            if (halving == max_halvings) {
+                return {NewtonEnd::line_search_failed, iteration, current.relative};
+            }
+            Eigen::VectorXd candidate = x + length * direction;
+            Residual next = residual(S, s, F, candidate);
+            if (next.norm <= (1 - sufficient_decrease * length) * current.norm) {
+                x = std::move(candidate);
+                current = std::move(next);
+                break;
+            }
+        }
+        fresh = false;
+    }
+}
+
+}  // namespace thermocontact::solve

@@ -1,0 +1,70 @@
+/// Newton's method with line search on S x + F(x) = s, dense: the condensed contact problem of one step.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace thermocontact::solve {
+
+/// F and its derivative on the contact unknowns.
+class NonlinearTerm {
+  public:
+    NonlinearTerm() = default;
+    NonlinearTerm(NonlinearTerm&&) = default;
+    NonlinearTerm& operator=(NonlinearTerm&&) = default;
+    virtual ~NonlinearTerm() = default;
+
+    /// F(x) into `value` (overwritten).
+    virtual void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) = 0;
+
+    /// Adds dF/dx(x) to `matrix`.
+    virtual void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) = 0;
+};
+
+struct NewtonOptions {
+    double tolerance;    ///< on |S x + F - s| / (|S x| + |F| + |s|)
+    int max_iterations;  ///< updates of x
+};
+
+enum class NewtonEnd { converged, too_many_iterations, line_search_failed, not_finite, singular };
+
+struct NewtonResult {
+    NewtonEnd end;
+    int iterations;   ///< updates of x
+    double residual;  ///< relative, as in NewtonOptions
+};
+
+/// "the line search found no descent", for messages.
+const char* describe(NewtonEnd end);
+
+/// Solves one condensed problem after another with the same S. The factors of the last derivative are kept and used
+/// again for as long as they still cut the residual tenfold an iteration, which near a solution they nearly always do.
+class Newton {
+  public:
+    explicit Newton(NewtonOptions options) : options_(options) {}
+
+    /// From the start value in x to the solution; x is the last iterate if that fails.
+    NewtonResult solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x);
+
+    /// Derivatives factored so far.
+    int factorisations() const { return factorisations_; }
+
+  private:
+    struct Residual {
+        Eigen::VectorXd value;
+        double norm;
+        double relative;
+    };
+
+    Residual residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, const Eigen::VectorXd& x);
+    bool factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x);
+
+    NewtonOptions options_;
+    Eigen::MatrixXd derivative_;
+    Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+    bool has_factors_ = false;
+    int factorisations_ = 0;
+    Eigen::VectorXd linear_, nonlinear_;  ///< S x and F(x) of the last residual
+};
+
+}  // namespace thermocontact::solve

@@ -1,0 +1,1 @@
+"""Parts of the verification oracle; `oracle.py` beside this package is the place to start reading."""

@@ -1,0 +1,228 @@
+"""One contact side: its terms in the two balances, its resultants, and its laws at the nodes for output."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import ufl
+from dolfinx import fem
+from dolfinx.fem import petsc as fem_petsc
+from mpi4py import MPI
+
+from oracle_parts import laws
+from oracle_parts.domain import Nodal, Side, node_points
+from oracle_parts.newton import Term
+from oracle_parts.portability import cell_nodes, lagrange_space
+from oracle_parts.scene import Contact, Scene
+
+Array = npt.NDArray[np.float64]
+MEASURES = (
+    "normal_force",
+    "tangential_force",
+    "max_penetration",
+    "contact_fraction",
+    "slip_fraction",
+    "heat_flow",
+)
+OPEN, STICK, SLIP = 0, 1, 2
+
+
+def quadrature_metadata(rule: int | str, degree: int) -> dict[str, Any]:
+    """A Gauss rule by its degree, or "vertex": trapezoid for degree 1, Simpson for degree 2."""
+    if rule != "vertex":
+        return {"quadrature_degree": rule}
+    points = ((0.0,), (1.0,)) if degree == 1 else ((0.0,), (0.5,), (1.0,))
+    weights = (0.5, 0.5) if degree == 1 else (1 / 6, 4 / 6, 1 / 6)
+    return {
+        "quadrature_rule": "custom",
+        "quadrature_degree": 1,
+        "quadrature_points": points,
+        "quadrature_weights": weights,
+    }
+
+
+class ContactSide:
+    """`displacement_space` is None in a scene without mechanics: then u = 0 in the penetration."""
+
+    def __init__(
+        self,
+        side: Side,
+        contact: Contact,
+        index: int,
+        displacement_space: Any,
+        scalar_space: Any,
+        scene: Scene,
+    ) -> None:
+        self.name, self.index, self.contact, mesh = side.name, index, contact, side.mesh
+        self.mesh, self.displacement_space, self.scalar_space = mesh, displacement_space, scalar_space
+        self.ds = side.ds(quadrature_metadata(contact.quadrature, scene.degree))
+        self.normal = ufl.FacetNormal(mesh)
+        self.gap = Nodal(scalar_space, scene, [contact.gap], side)
+        if contact.compliance:
+            self.stiffness = _constant(mesh, contact.compliance.stiffness)
+            self.exponent = _constant(mesh, contact.compliance.exponent)
+        if contact.friction:
+            self.friction = _constant(mesh, contact.friction.coefficient)
+            self.epsilon = _constant(mesh, contact.friction.regularisation)
+        if contact.conductance:
+            self.coefficient = _constant(mesh, contact.conductance.coefficient)
+            self.onset = _constant(mesh, contact.conductance.onset)
+            foundation = contact.conductance.foundation_temperature
+            self.foundation = Nodal(scalar_space, scene, [foundation], side)
+            limit = contact.conductance.limit
+            self.limit = None if limit is None else _constant(mesh, limit)
+        self._locate_nodes(side, scene)
+
+    def update(self, time: float) -> None:
+        self.gap.update(time)
+        if self.contact.conductance:
+            self.foundation.update(time)
+
+    # The weak forms, over UFL
+
+    def penetration(self, u: Any | None) -> Any:
+        """r = u_n - g."""
+        u_n = ufl.dot(u, self.normal) if u is not None else 0.0
+        return u_n - self.gap.function
+
+    def tangential(self, w: Any) -> Any:
+        return w - ufl.dot(w, self.normal) * self.normal
+
+    def pressure(self, r: Any) -> Any:
+        return laws.pressure(laws.UFL, r, self.stiffness, self.exponent)
+
+    def friction_stress(self, r: Any, w: Any) -> Any:
+        """-sigma_t = p_t w_t / |w_t|_epsilon."""
+        w_t = self.tangential(w)
+        norm = laws.regularised_norm(laws.UFL, ufl.dot(w_t, w_t), self.epsilon)
+        return self.friction * self.pressure(r) * w_t / norm
+
+    def heat_flow(self, r: Any, theta: Any) -> Any:
+        """q.n = k_c(r) phi_L(theta - theta_F)."""
+        k_c = laws.conductance(laws.UFL, r, self.coefficient, self.onset)
+        return k_c * laws.clamped(laws.UFL, theta - self.foundation.function, self.limit)
+
+    def momentum_term(self, u_new: Any, w: Any) -> Term | None:
+        """u_new is the UFL expression of u_n in terms of the unknown w."""
+        if not self.contact.compliance:
+            return None
+        v = ufl.TestFunction(w.function_space)
+        r = self.penetration(u_new)
+        form = self.pressure(r) * ufl.dot(v, self.normal) * self.ds
+        if self.contact.friction:
+            form += ufl.dot(self.friction_stress(r, w), self.tangential(v)) * self.ds
+        return _term(form, w)
+
+    def heat_term(self, u: Any | None, theta: Any) -> Term | None:
+        if not self.contact.conductance:
+            return None
+        eta = ufl.TestFunction(theta.function_space)
+        return _term(self.heat_flow(self.penetration(u), theta) * eta * self.ds, theta)
+
+    # Resultants over the side
+
+    def prepare_measures(self, u: Any | None, w: Any | None, theta: Any | None) -> None:
+        """One form for all integrals: tested with piecewise constants, whose entries are then summed."""
+        r = self.penetration(u)
+        closed = ufl.conditional(r >= 0.0, 1.0, 0.0)
+        zero = 0.0 * closed
+        normal, friction, slip, heat = zero, [zero, zero], closed, zero
+        if self.contact.compliance:
+            normal = self.pressure(r)
+        if self.contact.friction:
+            friction = self.friction_stress(r, w)
+            speed = ufl.sqrt(ufl.dot(self.tangential(w), self.tangential(w)))
+            slip = closed * ufl.conditional(speed > self.epsilon, 1.0, 0.0)
+        if self.contact.conductance:
+            heat = self.heat_flow(r, theta)
+        integrands = (normal, friction[0], friction[1], closed, slip, heat)
+        q = ufl.TestFunction(lagrange_space(self.mesh, 0, len(integrands)))
+        self.integrals = fem.form(ufl.dot(ufl.as_vector(integrands), q) * self.ds)
+
+    def measures(self, u: Any | None) -> dict[str, float]:
+        vector = fem_petsc.assemble_vector(self.integrals)
+        local = np.append(vector.array.reshape(-1, 6).sum(axis=0), self.lengths.sum())
+        vector.destroy()
+        normal, friction_x, friction_y, closed, slip, heat, length = self.mesh.comm.allreduce(local)
+        deepest = max(0.0, self.nodal_penetration(u).max(initial=0.0))
+        values = (
+            normal,
+            float(np.hypot(friction_x, friction_y)),
+            self.mesh.comm.allreduce(deepest, op=MPI.MAX),
+            closed / length,
+            slip / length,
+            heat,
+        )
+        return {name: float(value) for name, value in zip(MEASURES, values)}
+
+    # The laws at the facets' own nodes, over numpy
+
+    def _locate_nodes(self, side: Side, scene: Scene) -> None:
+        """Cells, nodes, points and outward unit normals of the facets, one row per facet."""
+        topology = side.mesh.topology
+        to_cells, to_facets = topology.connectivity(1, 2), topology.connectivity(2, 1)
+        self.cells = np.array([to_cells.links(facet)[0] for facet in side.facets], dtype=np.int32)
+        local = [list(to_facets.links(cell)).index(facet) for cell, facet in zip(self.cells, side.facets)]
+        self.scalar_nodes = _facet_nodes(self.scalar_space, self.cells, local)
+        if self.displacement_space is not None:
+            self.vector_nodes = _facet_nodes(self.displacement_space, self.cells, local)
+        points = node_points(self.scalar_space, scene)
+        self.points: Array = points[self.scalar_nodes]
+        along = self.points[:, 1, :2] - self.points[:, 0, :2]
+        self.lengths = np.linalg.norm(along, axis=1)
+        normals = np.column_stack((along[:, 1], -along[:, 0])) / self.lengths[:, None]
+        cell_points = points[cell_nodes(self.scalar_space, topology.index_map(2).size_local)[self.cells], :2]
+        inward = cell_points.mean(axis=1) - self.points[:, 0, :2]
+        normals[np.sum(normals * inward, axis=1) > 0.0] *= -1.0
+        self.normals: Array = normals
+
+    def _at_nodes(self, function: Any) -> Array:
+        """Values of a vector function, shape (facets, nodes, 2)."""
+        return function.x.array.reshape(-1, 2)[self.vector_nodes]
+
+    def nodal_penetration(self, u: Any | None) -> Array:
+        gap = self.gap.function.x.array[self.scalar_nodes]
+        return (np.einsum("fnd,fd->fn", self._at_nodes(u), self.normals) if u is not None else 0.0) - gap
+
+    def nodal(self, u: Any, w: Any, theta: Any) -> dict[str, Array]:
+        """Each result of this side at its facets' nodes: shape (facets, nodes) or (facets, nodes, 2)."""
+        contact, m = self.contact, laws.NUMPY
+        r = self.nodal_penetration(u)
+        result: dict[str, Array] = {"gap": -r, "state": np.where(r < 0.0, OPEN, SLIP)}
+        if w is not None:
+            velocity = self._at_nodes(w)
+            normal_velocity = np.einsum("fnd,fd->fn", velocity, self.normals)
+            slip = velocity - normal_velocity[:, :, None] * self.normals[:, None, :]
+            result["slip_velocity"] = slip
+        if contact.compliance:
+            pressure = laws.pressure(m, r, contact.compliance.stiffness, contact.compliance.exponent)
+            result["pressure"] = pressure
+        if contact.friction:
+            epsilon = contact.friction.regularisation
+            norm = laws.regularised_norm(m, np.sum(slip**2, axis=2), epsilon)
+            result["traction"] = -contact.friction.coefficient * (pressure / norm)[:, :, None] * slip
+            sticks = (r >= 0.0) & (np.linalg.norm(slip, axis=2) <= epsilon)
+            result["state"] = np.where(sticks, STICK, result["state"])
+        if contact.conductance:
+            law = contact.conductance
+            above = (theta.x.array - self.foundation.function.x.array)[self.scalar_nodes]
+            k_c = laws.conductance(m, r, law.coefficient, law.onset)
+            result["heat_flow"] = k_c * laws.clamped(m, above, law.limit)
+        return result
+
+
+def _constant(mesh: Any, value: float) -> Any:
+    return fem.Constant(mesh, float(value))
+
+
+def _term(form: Any, unknown: Any) -> Term:
+    trial = ufl.TrialFunction(unknown.function_space)
+    return Term(fem.form(form), fem.form(ufl.derivative(form, unknown, trial)))
+
+
+def _facet_nodes(space: Any, cells: npt.NDArray[np.int32], local_facets: list[int]) -> npt.NDArray[np.int32]:
+    """Nodes of each facet: its two vertices, then for degree 2 its midpoint."""
+    layout = space.dofmap.dof_layout
+    closure = np.array([layout.entity_closure_dofs(1, facet) for facet in range(3)])
+    nodes = cell_nodes(space, int(cells.max(initial=-1)) + 1)
+    return nodes[cells[:, None], closure[np.array(local_facets, dtype=int)]]

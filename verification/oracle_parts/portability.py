@@ -1,0 +1,40 @@
+"""The few names that differ between dolfinx 0.5 and 0.9, each behind one function."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from dolfinx import fem
+
+
+def lagrange_space(mesh: Any, degree: int, components: int = 1) -> Any:
+    """Scalar, or a vector of several components; degree 0 is piecewise constant."""
+    element = ("Lagrange" if degree else "DG", degree)
+    if hasattr(fem, "functionspace"):
+        return fem.functionspace(mesh, element if components == 1 else (*element, (components,)))
+    if components > 1:
+        return fem.VectorFunctionSpace(mesh, element, dim=components)
+    return fem.FunctionSpace(mesh, element)
+
+
+def petsc_vector(function: Any) -> Any:
+    """The PETSc vector that shares the function's memory. Fetch it once: each call makes a new wrapper."""
+    return function.x.petsc_vec if hasattr(function.x, "petsc_vec") else function.vector
+
+
+def cell_nodes(space: Any, cells: int) -> npt.NDArray[np.int32]:
+    """Local node numbers of the first `cells` cells, shape (cells, nodes per cell)."""
+    nodes = space.dofmap.list
+    flat = nodes.array if hasattr(nodes, "array") else nodes
+    return np.asarray(flat, dtype=np.int32).reshape(-1, space.dofmap.dof_layout.num_dofs)[:cells]
+
+
+def settle_geometry(mesh: Any) -> None:
+    """Name the spacing of the geometry's nodes before the first form is made.
+
+    FFCx 0.5 does so at the first compilation of a process, which changes the signature of every later form: each
+    run would then miss the cache of compiled forms once more.
+    """
+    scalar = getattr(mesh.ufl_domain().ufl_coordinate_element(), "_sub_element", None)
+    if scalar is not None and hasattr(scalar, "_variant"):
+        scalar._variant = "equispaced"

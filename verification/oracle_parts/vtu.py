@@ -1,0 +1,147 @@
+"""VTK's unstructured grid files with inline binary data, and the collection of them over time: write and read.
+
+Data arrays are base64, little endian, uncompressed, each with its own UInt64 length before it.
+"""
+
+import base64
+import os
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+LINE, TRIANGLE, QUADRATIC_EDGE, QUADRATIC_TRIANGLE = 3, 5, 21, 22
+TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "|u1", "UInt64": "<u8"}
+NAMES = {np.dtype(code): name for name, code in TYPES.items()}
+HEADER = np.dtype("<u8")
+
+Array = npt.NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Grid:
+    """One piece: points[n, 3], cells[m, nodes per cell], data by name with one row per point or cell."""
+
+    points: Array
+    cells: Array
+    cell_type: int
+    point_data: Mapping[str, Array]
+    cell_data: Mapping[str, Array]
+
+
+@dataclass(frozen=True)
+class DataSet:
+    time: float
+    part: int
+    file: str
+
+
+def write_grid(path: Path, grid: Grid) -> None:
+    cells = np.ascontiguousarray(grid.cells, dtype="<i8")
+    offsets = np.arange(1, len(cells) + 1, dtype="<i8") * cells.shape[1]
+    types = np.full(len(cells), grid.cell_type, dtype=np.uint8)
+    lines = [
+        '<?xml version="1.0"?>',
+        '<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">',
+        "<UnstructuredGrid>",
+        f'<Piece NumberOfPoints="{len(grid.points)}" NumberOfCells="{len(cells)}">',
+        "<Points>",
+        _encoded("Points", np.asarray(grid.points, dtype="<f8")),
+        "</Points>",
+        "<Cells>",
+        _encoded("connectivity", cells.ravel()),
+        _encoded("offsets", offsets),
+        _encoded("types", types),
+        "</Cells>",
+        "<PointData>",
+        *(_encoded(name, values) for name, values in grid.point_data.items()),
+        "</PointData>",
+        "<CellData>",
+        *(_encoded(name, values) for name, values in grid.cell_data.items()),
+        "</CellData>",
+        "</Piece>",
+        "</UnstructuredGrid>",
+        "</VTKFile>",
+        "",
+    ]
+    path.write_text("\n".join(lines), encoding="ascii")
+
+
+def _encoded(name: str, values: Array) -> str:
+    kind = NAMES[np.dtype(values.dtype).newbyteorder("<")]
+    components = values.shape[1] if values.ndim > 1 else 1
+    raw = np.ascontiguousarray(values, dtype=TYPES[kind]).tobytes()
+    text = base64.b64encode(np.array([len(raw)], dtype=HEADER).tobytes() + raw).decode("ascii")
+    attributes = f'type="{kind}" Name="{name}" NumberOfComponents="{components}" format="binary"'
+    return f"<DataArray {attributes}>{text}</DataArray>"
+
+
+def read_grid(path: Path) -> Grid:
+    """Raises ValueError or OSError where the file is no such grid of one cell type."""
+    root = _parse(path)
+    piece = root.find("UnstructuredGrid/Piece")
+    if piece is None or root.get("header_type") != "UInt64" or root.get("compressor"):
+        raise ValueError(f"{path}: not an uncompressed unstructured grid with UInt64 headers")
+    points, cells = _arrays(path, piece, "Points"), _arrays(path, piece, "Cells")
+    types = np.unique(cells["types"])
+    if len(types) > 1:
+        raise ValueError(f"{path}: more than one type of cell")
+    count = int(piece.get("NumberOfCells", "0"))
+    return Grid(
+        points=next(iter(points.values())).reshape(-1, 3),
+        cells=cells["connectivity"].reshape(count, -1) if count else np.empty((0, 1), dtype=np.int64),
+        cell_type=int(types[0]) if count else TRIANGLE,
+        point_data=_arrays(path, piece, "PointData"),
+        cell_data=_arrays(path, piece, "CellData"),
+    )
+
+
+def _parse(path: Path) -> ElementTree.Element:
+    try:
+        return ElementTree.parse(path).getroot()
+    except ElementTree.ParseError as problem:
+        raise ValueError(f"{path}: {problem}") from problem
+
+
+def _arrays(path: Path, piece: ElementTree.Element, section: str) -> dict[str, Array]:
+    parent = piece.find(section)
+    arrays = {}
+    for element in [] if parent is None else parent.findall("DataArray"):
+        name = element.get("Name", section)
+        if element.get("format") != "binary" or element.get("type") not in TYPES:
+            raise ValueError(f"{path}: {name} is not an inline binary array")
+        raw = base64.b64decode((element.text or "").strip())
+        length = int(np.frombuffer(raw[: HEADER.itemsize], dtype=HEADER)[0])
+        values = np.frombuffer(raw[HEADER.itemsize :], dtype=TYPES[str(element.get("type"))])
+        if values.nbytes != length:
+            raise ValueError(f"{path}: {name} holds {values.nbytes} bytes where it says {length}")
+        components = int(element.get("NumberOfComponents", "1"))
+        arrays[name] = values.reshape(-1, components) if components > 1 else values
+    return arrays
+
+
+def write_collection(path: Path, datasets: Sequence[DataSet]) -> None:
+    """Written beside and renamed over, so that a reader never sees half of it."""
+    lines = [
+        '<?xml version="1.0"?>',
+        '<VTKFile type="Collection" version="1.0" byte_order="LittleEndian" header_type="UInt64">',
+        "<Collection>",
+        *(f'<DataSet timestep="{d.time!r}" group="" part="{d.part}" file="{d.file}"/>' for d in datasets),
+        "</Collection>",
+        "</VTKFile>",
+        "",
+    ]
+    beside = path.with_suffix(".pvd.part")
+    beside.write_text("\n".join(lines), encoding="ascii")
+    os.replace(beside, path)
+
+
+def read_collection(path: Path) -> list[DataSet]:
+    return [
+        DataSet(float(entry.get("timestep", "nan")), int(entry.get("part", "0")), entry.get("file", ""))
+        for entry in _parse(path).iter("DataSet")
+    ]

@@ -1,0 +1,198 @@
+"""compare.py must notice what differs and overlook what may differ: numbering, round-off, ties of the contact state.
+
+Run from verification/: python3 -m unittest tests.test_compare
+"""
+
+import contextlib
+import io
+import json
+import tempfile
+import unittest
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import compare
+from oracle_parts import vtu
+
+EPSILON = 1e-3
+Change = Callable[[dict[tuple[int, int], vtu.Grid], dict[str, Any]], None]
+
+
+def grids() -> dict[tuple[int, int], vtu.Grid]:
+    """By (step, part): two triangles, and two contact facets that meet in (1, 0)."""
+    result = {}
+    for step in (0, 1):
+        points = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]])
+        body_data = {"temperature": np.array([1.0, 2.0, 3.0, 4.0]) * (step + 1), "displacement": points * 0.1}
+        cell_data = {"von_mises": np.array([5.0, 6.0])}
+        cells = np.array([[0, 1, 3], [1, 2, 3]])
+        result[step, 0] = vtu.Grid(points, cells, vtu.TRIANGLE, body_data, cell_data)
+        slip = np.zeros((4, 3))
+        slip[:, 0] = [2 * EPSILON, 0.0, 3 * EPSILON, EPSILON]
+        contact_data = {
+            "gap": np.array([-1e-4, 0.0, -2e-4, -3e-4]),
+            "slip_velocity": slip,
+            "state": np.array([2, 1, 2, 1], dtype=np.int32),
+        }
+        marks = {"boundary": np.zeros(2, dtype=np.int32)}
+        facets = np.array([[0, 1], [2, 3]])
+        result[step, 1] = vtu.Grid(points[[0, 1, 1, 2]], facets, vtu.LINE, contact_data, marks)
+    return result
+
+
+def summary() -> dict[str, Any]:
+    friction = {"coefficient": 0.2, "regularisation": EPSILON}
+    return {
+        "status": "completed",
+        "scene": {"boundary": {"top": {}, "bottom": {"contact": {"friction": friction}}}},
+        "final": {"velocity_l2": 2.0, "contact": {"bottom": {"normal_force": 1.0, "slip_fraction": 0.5}}},
+    }
+
+
+def write(directory: Path, change: Change | None = None, times: tuple[float, ...] = (0.0, 0.5)) -> None:
+    data, numbers = grids(), summary()
+    if change:
+        change(data, numbers)
+    (directory / "fields").mkdir(parents=True)
+    datasets = []
+    for (step, part), grid in data.items():
+        name = f"fields/{compare.PARTS[part]}_{step:06d}.vtu"
+        vtu.write_grid(directory / name, grid)
+        datasets.append(vtu.DataSet(times[step], part, name))
+    vtu.write_collection(directory / "fields.pvd", datasets)
+    (directory / "summary.json").write_text(json.dumps(numbers))
+
+
+def point_change(part: int, name: str, at: Any, by: float, step: int = 1) -> Change:
+    def change(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:
+        values = data[step, part].point_data[name].copy()
+        values[at] += by
+        fields = {**data[step, part].point_data, name: values}
+        data[step, part] = replace(data[step, part], point_data=fields)
+
+    return change
+
+
+class CompareTest(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.a, self.b = Path(folder.name) / "a", Path(folder.name) / "b"
+        write(self.a)
+
+    def code(self, *options: str) -> int:
+        self.output = io.StringIO()
+        with contextlib.redirect_stdout(self.output), contextlib.redirect_stderr(self.output):
+            return compare.main([str(self.a), str(self.b), *options])
+
+    def code_after(self, change: Change) -> int:
+        write(self.b, change)
+        return self.code()
+
+    def test_equal(self) -> None:
+        write(self.b)
+        self.assertEqual(self.code(), 0)
+
+    def test_numbering_does_not_matter(self) -> None:
+        def renumber(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:
+            for key, grid in data.items():
+                new = np.array([2, 0, 3, 1])  # new number of each point
+                old, cells = np.argsort(new), np.array([1, 0])
+                data[key] = vtu.Grid(
+                    grid.points[old],
+                    new[grid.cells[cells]],
+                    grid.cell_type,
+                    {name: values[old] for name, values in grid.point_data.items()},
+                    {name: values[cells] for name, values in grid.cell_data.items()},
+                )
+
+        self.assertEqual(self.code_after(renumber), 0, "renumbered")
+
+    def test_point_values(self) -> None:
+        self.assertEqual(self.code_after(point_change(0, "temperature", 3, 8.1e-9)), 1)
+        self.assertIn("the worst is body temperature at t = 0.5, (1, 1, 0): 1.01", self.output.getvalue())
+
+    def test_point_values_below_the_tolerance(self) -> None:
+        self.assertEqual(self.code_after(point_change(0, "temperature", 3, 7.9e-9)), 0)
+        self.assertEqual(self.code("--tolerance", "1e-10"), 1)
+
+    def test_scale_is_over_all_steps(self) -> None:
+        self.assertEqual(self.code_after(point_change(0, "temperature", 0, 7.9e-9, step=0)), 0)
+
+    def test_the_side_of_a_shared_contact_point(self) -> None:
+        self.assertEqual(self.code_after(point_change(1, "gap", 2, 1e-10)), 1)
+
+    def test_cell_values(self) -> None:
+        def change(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:
+            data[0, 0] = replace(data[0, 0], cell_data={"von_mises": np.array([5.0, 6.0 + 1e-7])})
+
+        self.assertEqual(self.code_after(change), 1)
+
+    def test_not_finite(self) -> None:
+        self.assertEqual(self.code_after(point_change(0, "temperature", 1, np.nan)), 1)
+
+    def test_not_finite_in_both(self) -> None:
+        change = point_change(1, "gap", 1, np.inf)
+        write(self.b, change)
+        self.a = self.a.parent / "c"
+        write(self.a, change)
+        self.assertEqual(self.code(), 1)
+
+    def test_state_differs(self) -> None:
+        self.assertEqual(self.code_after(point_change(1, "state", 0, -1)), 1)
+
+    def test_state_of_a_tie_in_gap(self) -> None:
+        self.assertEqual(self.code_after(point_change(1, "state", 1, -1)), 0)
+
+    def test_state_of_a_tie_in_slip(self) -> None:
+        self.assertEqual(self.code_after(point_change(1, "state", 3, 1)), 0)
+
+    def test_final_numbers(self) -> None:
+        def change(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:
+            numbers["final"]["contact"]["bottom"]["slip_fraction"] = 0.5 + 2e-9
+
+        self.assertEqual(self.code_after(change), 1)
+
+    def test_field_in_one_only(self) -> None:
+        def change(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:
+            data[1, 0] = replace(data[1, 0], cell_data={})
+
+        self.assertEqual(self.code_after(change), 2)
+
+    def test_contact_in_one_only(self) -> None:
+        def change(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:
+            del data[1, 1]
+
+        self.assertEqual(self.code_after(change), 2)
+
+    def test_other_mesh(self) -> None:
+        def change(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:
+            points = data[1, 0].points.copy()
+            points[3, 1] += 1e-6
+            data[1, 0] = replace(data[1, 0], points=points)
+
+        self.assertEqual(self.code_after(change), 2)
+
+    def test_other_times(self) -> None:
+        write(self.b, times=(0.0, 0.6))
+        self.assertEqual(self.code(), 2)
+
+    def test_missing_files(self) -> None:
+        self.assertEqual(self.code(), 2)
+        write(self.b)
+        (self.b / "fields/body_000001.vtu").unlink()
+        self.assertEqual(self.code(), 2)
+
+    def test_damaged_file(self) -> None:
+        write(self.b)
+        path = self.b / "fields/body_000001.vtu"
+        path.write_text(path.read_text()[:-200])
+        self.assertEqual(self.code(), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,5 +1,7 @@
 /// thermocontact: dynamic frictional contact of a thermo-viscoelastic body with a rigid, heat-conducting foundation.
 
+#include <malloc.h>
+
 #include <iostream>
 #include <new>
 
@@ -41,6 +43,9 @@ int fail(int code, const std::string& reason) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // vectors of a step come and go: keep their pages instead of returning them to the system each time
+    mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
     try {
         return std::visit([](const auto& command) { return execute(command); }, app::parse_command_line(argc, argv));
     } catch (const SceneError& error) {

@@ -15,4 +15,15 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Runs `action` and adds the time it took to `seconds`, also when it throws.
+template <typename Action>
+decltype(auto) timed(double& seconds, Action&& action) {
+    struct Adder {
+        double& seconds;
+        Stopwatch stopwatch;
+        ~Adder() { seconds += stopwatch.seconds(); }
+    } adder{seconds, {}};
+    return action();
+}
+
 }  // namespace thermocontact

@@ -17,17 +17,6 @@ volatile std::sig_atomic_t caught_signal = 0;
 
 void catch_signal(int signal) { caught_signal = signal; }
 
-/// Runs `action` and adds the time it took to `seconds`, also when it throws.
-template <typename Action>
-void timed(double& seconds, Action action) {
-    struct Adder {
-        double& seconds;
-        Stopwatch stopwatch;
-        ~Adder() { seconds += stopwatch.seconds(); }
-    } adder{seconds, {}};
-    action();
-}
-
 /// Marches until the end or a signal.
 void march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress, output::Seconds& seconds) {
     while (!simulation.finished() && caught_signal == 0) {

@@ -15,11 +15,8 @@ namespace {
 solve::CondensedSystem condense(const std::string& equation, const fem::BlockMatrix& matrix,
                                 const model::Prescribed& prescribed, const std::vector<char>& contact_nodes,
                                 const fem::Space& space, double& seconds) {
-    const Stopwatch stopwatch;
     try {
-        solve::CondensedSystem system(matrix, prescribed.fixed(), contact_nodes);
-        seconds = stopwatch.seconds();
-        return system;
+        return timed(seconds, [&] { return solve::CondensedSystem(matrix, prescribed.fixed(), contact_nodes); });
     } catch (const solve::NotPositiveDefinite& failure) {
         const mesh::Point& x = space.nodes[static_cast<std::size_t>(failure.row / matrix.rows)];
         throw NumericsError(equation + ": the system is singular or indefinite, seen at (" + short_text(x[0]) + ", " +
@@ -70,16 +67,16 @@ void Balance::remove_prescribed(std::vector<double>& rhs) {
 
 SolveReport Balance::solve(int step, double time, std::vector<double>& rhs) {
     remove_prescribed(rhs);
-    const Eigen::VectorXd condensed = system_.condense(rhs);
+    const Eigen::VectorXd condensed = timed(seconds_.triangular_solves, [&] { return system_.condense(rhs); });
     Eigen::VectorXd x(condensed.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
         x[i] = (*unknown_)[static_cast<std::size_t>(system_.contact_dofs()[static_cast<std::size_t>(i)])];
     }
     SolveReport report;
     if (x.size() > 0) {
-        report = solve_contact({equation_, step, time}, condensed, x);
+        report = timed(seconds_.newton, [&] { return solve_contact({equation_, step, time}, condensed, x); });
     }
-    system_.expand(x, *unknown_);
+    timed(seconds_.triangular_solves, [&] { system_.expand(x, *unknown_); });
     if (!as_eigen(*unknown_).allFinite()) {
         throw NumericsError("step " + std::to_string(step) + ", t = " + short_text(time) + ": " + equation_ +
                             ": the solution is not finite; scale the data, or use more time.steps");

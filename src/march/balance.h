@@ -34,6 +34,8 @@ class Balance {
 
     const model::Prescribed& prescribed() const { return prescribed_; }
     model::FacetTerm& contact() { return contact_; }
+    /// Time spent in solve().
+    const StepSeconds& seconds() const { return seconds_; }
     double factor_seconds() const { return factor_seconds_; }
     std::int64_t factor_entries() const { return system_.factor_entries(); }
     std::size_t contact_unknowns() const { return system_.contact_dofs().size(); }
@@ -47,6 +49,7 @@ class Balance {
     model::Prescribed prescribed_;
     model::FacetTerm contact_;
     std::vector<double>* unknown_;
+    StepSeconds seconds_;
     double factor_seconds_ = 0;
     solve::CondensedSystem system_;
     solve::Newton newton_;

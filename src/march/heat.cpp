@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "march/assembler.h"
+#include "stopwatch.h"
 
 namespace thermocontact::march {
 namespace {
@@ -66,7 +67,7 @@ SolveReport Heat::advance(int step, double time, State& state) {
     balance_->prescribed().apply(time, trial_);
     const SolveReport report = balance_->solve(step, time, rhs);
     std::vector<double> stored = product(capacity_, trial_, trial_.size());
-    audit(load, stored);
+    timed(audit_seconds_, [&] { audit(load, stored); });
     stored_ = std::move(stored);
     strain_source_ = product(strain_heating_, state.displacement, trial_.size());
     state.temperature = trial_;
@@ -101,6 +102,12 @@ void Heat::audit(const std::vector<double>& load, const std::vector<double>& sto
 
 double Heat::temperature_norm(const std::vector<double>& theta) const {
     return std::sqrt(std::max(0.0, as_eigen(theta).dot(as_eigen(gram_.multiply(theta)))));
+}
+
+StepSeconds Heat::seconds() const {
+    StepSeconds seconds = balance_->seconds();
+    seconds.audit = audit_seconds_;
+    return seconds;
 }
 
 }  // namespace thermocontact::march

@@ -32,6 +32,9 @@ class Heat {
 
     const Balance& balance() const { return *balance_; }
 
+    /// Time spent in advance().
+    StepSeconds seconds() const;
+
   private:
     void audit(const std::vector<double>& load, const std::vector<double>& stored);
 
@@ -44,6 +47,7 @@ class Heat {
     std::unique_ptr<Balance> balance_;
     std::vector<double> stored_;         ///< C theta_{n-1}
     std::vector<double> strain_source_;  ///< R : eps(u_{n-1}), assembled
+    double audit_seconds_ = 0;
     Record record_;
     double heat_residual_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "march/assembler.h"
+#include "stopwatch.h"
 
 namespace thermocontact::march {
 namespace {
@@ -99,7 +100,7 @@ SolveReport Momentum::advance(int step, double time, State& state) {
             new_u[i] += step_ * trial_[i];
         }
     }
-    audit(load, state, new_u);
+    timed(audit_seconds_, [&] { audit(load, state, new_u); });
     state.displacement = std::move(new_u);
     state.velocity = trial_;
     return report;
@@ -154,6 +155,12 @@ double Momentum::velocity_norm(const std::vector<double>& w) const {
 
 double Momentum::strain_norm(const std::vector<double>& u) const {
     return std::sqrt(std::max(0.0, as_eigen(u).dot(as_eigen(strain_gram_.multiply(u)))));
+}
+
+StepSeconds Momentum::seconds() const {
+    StepSeconds seconds = balance_->seconds();
+    seconds.audit = audit_seconds_;
+    return seconds;
 }
 
 }  // namespace thermocontact::march

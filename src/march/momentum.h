@@ -37,6 +37,9 @@ class Momentum {
 
     const Balance& balance() const { return *balance_; }
 
+    /// Time spent in advance().
+    StepSeconds seconds() const;
+
   private:
     struct Products {  ///< operators applied to the state; zeros where absent
         std::vector<double> mass_w, stiffness_u;
@@ -57,6 +60,7 @@ class Momentum {
     std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
     std::unique_ptr<Balance> balance_;
     Products old_;
+    double audit_seconds_ = 0;
     Record record_;
     double energy_residual_ = 0, force_residual_ = 0;
 };

@@ -80,6 +80,17 @@ void Simulation::advance() {
     totals_.retries += momentum_report_.retries + heat_report_.retries;
 }
 
+StepSeconds Simulation::step_seconds() const {
+    StepSeconds seconds;
+    if (momentum_) {
+        seconds.add(momentum_->seconds());
+    }
+    if (heat_) {
+        seconds.add(heat_->seconds());
+    }
+    return seconds;
+}
+
 std::int64_t Simulation::factor_entries() const {
     return (momentum_ ? momentum_->balance().factor_entries() : 0) + (heat_ ? heat_->balance().factor_entries() : 0);
 }

@@ -41,6 +41,9 @@ class Simulation {
     /// Seconds spent in factorisation during construction.
     double factor_seconds() const { return factor_seconds_; }
 
+    /// Where the time of the steps went.
+    StepSeconds step_seconds() const;
+
     /// Numbers stored in the Cholesky factors.
     std::int64_t factor_entries() const;
 

@@ -22,6 +22,19 @@ struct SolveReport {
     int retries = 0;  ///< solves beyond the first
 };
 
+/// Where the time of the steps went, s.
+struct StepSeconds {
+    double triangular_solves = 0;  ///< both passes through the sparse factors
+    double newton = 0;             ///< the condensed nonlinear problems
+    double audit = 0;              ///< operators on the new state, balances, norms
+
+    void add(const StepSeconds& other) {
+        triangular_solves += other.triangular_solves;
+        newton += other.newton;
+        audit += other.audit;
+    }
+};
+
 /// Named numbers of a step, in the order of the history's columns.
 using Record = std::vector<std::pair<std::string, double>>;
 

@@ -74,11 +74,17 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                         {"max_iterations_in_a_step", totals.max_iterations_in_a_step},
                         {"retries", totals.retries}};
     result["audit"] = {{"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
+    const march::StepSeconds parts = simulation.step_seconds();
     result["seconds"] = {{"setup", seconds.setup},
                          {"factor", seconds.factor},
                          {"steps", seconds.steps},
                          {"output", seconds.output},
-                         {"total", seconds.total}};
+                         {"total", seconds.total},
+                         {"parts",
+                          {{"triangular_solves", parts.triangular_solves},
+                           {"newton", parts.newton},
+                           {"audit", parts.audit},
+                           {"other", seconds.steps - parts.triangular_solves - parts.newton - parts.audit}}}};
     result["peak_memory_mib"] = peak_memory_mib();
     return result;
 }

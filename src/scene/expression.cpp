@@ -17,6 +17,7 @@ namespace thermocontact::scene {
 struct Expression::Formula {
     mu::Parser parser;
     double x = 0, y = 0, z = 0, t = 0;  // bound to the parser's variables
+    bool depends_on_time = false;       // kept, since muParser parses anew to find its variables
 };
 
 namespace {
@@ -227,8 +228,11 @@ Expression::Expression(const std::string& formula, int dimension) : text_(formul
         if (results != 1) {
             fail(formula, "one value expected, found " + std::to_string(results) + " separated by commas");
         }
-        if (parser.GetUsedVar().empty()) {
-            value_ = values[0];
+        const double value = values[0];
+        const auto used = parser.GetUsedVar();
+        formula_->depends_on_time = used.contains("t");
+        if (used.empty()) {
+            value_ = value;
             formula_.reset();
         }
     } catch (const mu::Parser::exception_type& error) {
@@ -263,7 +267,7 @@ double Expression::operator()(const std::array<double, 3>& x, double t) const {
 }
 
 bool Expression::depends_on_time() const {
-    return formula_ && formula_->parser.GetUsedVar().contains("t");
+    return formula_ && formula_->depends_on_time;
 }
 
 bool Expression::is_zero() const {

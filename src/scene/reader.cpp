@@ -165,7 +165,9 @@ Boundary read_boundary(const Settings& s, const std::string& name) {
 
 void complete_fields(Settings& s) {
     if (!s.has("output.fields")) {
-        s.by_name["output.fields"] = {find_key("output.fields"), {}, json(existing_fields(s))};
+        Setting& fields = s.by_name["output.fields"];
+        fields.key = find_key("output.fields");
+        fields.value = existing_fields(s);
         s.in_schema_order.emplace_back("output.fields");
     }
 }

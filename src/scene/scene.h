@@ -29,14 +29,15 @@ struct TimeSpec {
     std::string scheme;  ///< "backward-euler"
 };
 
-/// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s], s = 3
-/// in 2D (xx, yy, xy). `out_of_plane` [s] gives sigma_zz for plane strain (zero otherwise).
+/// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s], s
+/// = 3 in 2D (xx, yy, xy). `out_of_plane` [s] gives sigma_zz for plane strain (zero otherwise).
 struct VoigtTensor {
     std::vector<double> matrix;
     std::vector<double> out_of_plane;
 };
 
-/// Symmetric second-order tensor, row-major [d][d]; `out_of_plane` is its zz component (plane strain, else 0).
+/// Symmetric second-order tensor, row-major [d][d]; `out_of_plane` is its zz component (plane strain, else
+/// 0).
 struct SymmetricTensor {
     std::vector<double> matrix;
     double out_of_plane = 0;
@@ -73,9 +74,9 @@ struct Friction {
 };
 
 struct Conductance {
-    double coefficient;                 ///< k_c, W/(m^2 K)
-    double onset;                       ///< epsilon_c, m
-    Expression foundation_temperature;  ///< theta_F, K
+    double coefficient;                                      ///< k_c, W/(m^2 K)
+    double onset;                                            ///< epsilon_c, m
+    Expression foundation_temperature;                       ///< theta_F, K
     double limit = std::numeric_limits<double>::infinity();  ///< L, K
 };
 
@@ -88,17 +89,18 @@ struct Contact {
 };
 
 struct Boundary {
-    std::vector<std::optional<Expression>> displacement;  ///< [d] m, empty component: free; size 0: not prescribed
-    std::vector<Expression> traction;                     ///< [d] Pa; size 0: none
-    std::optional<Expression> temperature;                ///< K
-    std::optional<Expression> heat_flux;                  ///< W/m^2 into the body
+    std::vector<std::optional<Expression>>
+        displacement;                       ///< [d] m, empty component: free; size 0: not prescribed
+    std::vector<Expression> traction;       ///< [d] Pa; size 0: none
+    std::optional<Expression> temperature;  ///< K
+    std::optional<Expression> heat_flux;    ///< W/m^2 into the body
     std::optional<Contact> contact;
 };
 
 struct SolverSpec {
-    std::string strategy;     ///< "auto" | "condensed"
-    double tolerance;         ///< relative, of each nonlinear solve
-    int max_iterations;       ///< of one Newton solve
+    std::string strategy;  ///< "auto" | "condensed"
+    double tolerance;      ///< relative, of each nonlinear solve
+    int max_iterations;    ///< of one Newton solve
 };
 
 struct OutputSpec {

@@ -170,17 +170,13 @@ PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int
 
 void PanelFactor::store(const double* supernode, std::int32_t leading, std::int32_t first, std::int32_t columns,
                         std::span<const std::int32_t> rows) {
-    const auto at = [&](std::int32_t row, std::int32_t column) {
-        return supernode[static_cast<std::ptrdiff_t>(column) * leading + row];
-    };
+    const auto column = [&](std::int32_t c) { return supernode + static_cast<std::ptrdiff_t>(c) * leading; };
     const std::int32_t in_head = std::clamp(head_ - first, 0, columns);
     if (in_head > 0) {
         panels_.push_back({first, in_head, leading, entries(), static_cast<std::int64_t>(rows_.size())});
         for (std::int32_t begin = 0; begin < in_head; begin += group) {
             for (std::int32_t c = begin; c < std::min(begin + group, in_head); ++c) {
-                for (std::int32_t r = begin; r < leading; ++r) {
-                    values_.push_back(r < c ? 0.0 : at(r, c));
-                }
+                values_.insert(values_.end(), column(c) + begin, column(c) + leading);
             }
         }
         rows_.insert(rows_.end(), rows.begin() + in_head, rows.end());
@@ -188,7 +184,7 @@ void PanelFactor::store(const double* supernode, std::int32_t leading, std::int3
     }
     for (std::int32_t c = in_head; c < columns; ++c) {
         for (std::int32_t r = c; r < leading; ++r) {
-            tail_(rows[static_cast<std::size_t>(r)] - head_, first + c - head_) = at(r, c);
+            tail_(rows[static_cast<std::size_t>(r)] - head_, first + c - head_) = column(c)[r];
         }
     }
 }

@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include "solve/huge_pages.h"
+
 namespace thermocontact::solve {
 
 /// A symmetric matrix, lower triangle by compressed columns with sorted rows.
@@ -59,7 +61,7 @@ class PanelFactor {
     std::int32_t size_, head_;
     std::vector<std::int32_t> order_;
     std::vector<Panel> panels_;  ///< of the head
-    std::vector<double> values_;
+    HugeVector<double> values_;
     std::vector<std::int32_t> rows_;
     Eigen::MatrixXd tail_;        ///< L_tt
     std::vector<double> buffer_;  ///< one panel's rows of the vector

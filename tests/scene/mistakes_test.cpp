@@ -22,7 +22,6 @@ TEST_P(Mistakes, AreNamed) {
     EXPECT_EQ(message(with_line(GetParam().line, GetParam().text)), GetParam().message);
 }
 
-// clang-format off
 const Mistake unknown_keys[] = {
     {"Typo", 20, "coefficent = 0.2",
      R"(scene.toml:20: boundary.bottom.contact.friction.coefficent: unknown key; did you mean "coefficient"?)"},
@@ -58,8 +57,10 @@ const Mistake wrong_values[] = {
      "scene.toml:7: material.density: expected a number > 0 (kg/m^3), found true"},
     {"DateForANumber", 7, "density = 1979-05-27",
      "scene.toml:7: material.density: expected a number > 0 (kg/m^3), found a table or a date"},
-    {"Infinity", 7, "density = inf", "scene.toml:7: material.density: expected a number > 0 (kg/m^3), found inf"},
-    {"NotANumber", 9, "young = nan", "scene.toml:9: material.elasticity.young: expected a number > 0 (Pa), found nan"},
+    {"Infinity", 7, "density = inf",
+     "scene.toml:7: material.density: expected a number > 0 (kg/m^3), found inf"},
+    {"NotANumber", 9, "young = nan",
+     "scene.toml:9: material.elasticity.young: expected a number > 0 (Pa), found nan"},
     {"TableForANumber", 7, "density = {value = 1}",
      "scene.toml:7: material.density: expected a number > 0 (kg/m^3), found a table"},
     {"NumberForATable", 6, "[boundary]\nleft = 3\n[material]",
@@ -85,32 +86,40 @@ const Mistake wrong_values[] = {
      "scene.toml:2: mesh.cells: expected an array of 2 integers in [1, 100000000], found [4.0, 4]"},
     {"HugeMesh", 2, "cells = [20000, 20000]",
      "scene.toml:2: mesh.cells: expected at most 100000000 squares, found 400000000"},
-    {"Shape", 2, "cells = [4, 4]\nshape = \"box\"", R"(scene.toml:3: mesh.shape: expected "rectangle", found "box")"},
+    {"Shape", 2, "cells = [4, 4]\nshape = \"box\"",
+     R"(scene.toml:3: mesh.shape: expected "rectangle", found "box")"},
     {"Choice", 2, "cells = [4, 4]\ndiagonal = \"rihgt\"",
      R"(scene.toml:3: mesh.diagonal: expected "right", "left" or "crossed", found "rihgt"; did you mean "right"?)"},
     {"Corners", 2, "cells = [4, 4]\nlower = [0, 2]",
-     "scene.toml:3: mesh.lower: expected to be below mesh.upper = [1.0, 1.0] in every component, found [0.0, 2.0]"},
+     "scene.toml:3: mesh.lower: expected to be below mesh.upper = [1.0, 1.0] in every component, found [0.0, "
+     "2.0]"},
     {"UpperCorner", 2, "cells = [4, 4]\nupper = [0, 2]",
-     "scene.toml:3: mesh.upper: expected to exceed mesh.lower = [0.0, 0.0] in every component, found [0.0, 2.0]"},
+     "scene.toml:3: mesh.upper: expected to exceed mesh.lower = [0.0, 0.0] in every component, found [0.0, "
+     "2.0]"},
     {"StepDoesNotDivide", 5, "step = 0.3",
-     "scene.toml:5: time.step: expected a step that divides time.end = 1 into at most 1000000000 equal steps, "
+     "scene.toml:5: time.step: expected a step that divides time.end = 1 into at most 1000000000 equal "
+     "steps, "
      "found 0.3"},
     {"StepBeyondTheEnd", 5, "step = 2",
-     "scene.toml:5: time.step: expected a step that divides time.end = 1 into at most 1000000000 equal steps, "
+     "scene.toml:5: time.step: expected a step that divides time.end = 1 into at most 1000000000 equal "
+     "steps, "
      "found 2.0"},
     {"Displacement", 15, "displacement = [0, \"fre\"]",
      R"(scene.toml:15: boundary.top.displacement: bad expression "fre": unknown name "fre" at character 1; )"
      R"(expected "x", "y", "t", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", )"
      R"("log10", "sqrt", "abs", "min", "max", "pi" or "e")"},
     {"TractionLength", 15, "traction = [0]",
-     "scene.toml:15: boundary.top.traction: expected an array of 2 numbers or expressions in x, y, t (Pa), found [0]"},
+     "scene.toml:15: boundary.top.traction: expected an array of 2 numbers or expressions in x, y, t (Pa), "
+     "found [0]"},
     {"FreeTraction", 15, "traction = 0",
-     "scene.toml:15: boundary.top.traction: expected an array of 2 numbers or expressions in x, y, t (Pa), found 0"},
+     "scene.toml:15: boundary.top.traction: expected an array of 2 numbers or expressions in x, y, t (Pa), "
+     "found 0"},
     {"Expression", 16, "temperature = \"1 + sinn(x)\"",
      R"_(scene.toml:16: boundary.top.temperature: bad expression "1 + sinn(x)": )_"
      R"(unknown name "sinn" at character 5; did you mean "sin"?)"},
     {"ExpressionType", 16, "temperature = true",
-     "scene.toml:16: boundary.top.temperature: expected a number or an expression in x, y, t (K), found true"},
+     "scene.toml:16: boundary.top.temperature: expected a number or an expression in x, y, t (K), found "
+     "true"},
     {"InfiniteExpression", 16, "temperature = inf",
      "scene.toml:16: boundary.top.temperature: expected a number or an expression in x, y, t (K), found inf"},
     {"Friction", 20, "coefficient = -0.1",
@@ -130,35 +139,43 @@ const Mistake wrong_values[] = {
 
 const Mistake tensors[] = {
     {"NotSymmetric", 13, "conductivity = [[1, 2], [0, 1]]",
-     "scene.toml:13: heat.conductivity: expected a number > 0 or a symmetric positive semidefinite 2 x 2 matrix "
+     "scene.toml:13: heat.conductivity: expected a number > 0 or a symmetric positive semidefinite 2 x 2 "
+     "matrix "
      "(W/(m K)), found [[1, 2], [0, 1]] (not symmetric)"},
     {"Indefinite", 13, "conductivity = [[1, 2], [2, 1]]",
-     "scene.toml:13: heat.conductivity: expected a number > 0 or a symmetric positive semidefinite 2 x 2 matrix "
+     "scene.toml:13: heat.conductivity: expected a number > 0 or a symmetric positive semidefinite 2 x 2 "
+     "matrix "
      "(W/(m K)), found [[1, 2], [2, 1]] (smallest eigenvalue -1)"},
     {"NoConductivity", 13, "conductivity = 0",
-     "scene.toml:13: heat.conductivity: expected a number > 0 or a symmetric positive semidefinite 2 x 2 matrix "
+     "scene.toml:13: heat.conductivity: expected a number > 0 or a symmetric positive semidefinite 2 x 2 "
+     "matrix "
      "(W/(m K)), found 0"},
     {"NotSquare", 13, "conductivity = [[1, 2], [2]]",
-     "scene.toml:13: heat.conductivity: expected a number > 0 or a symmetric positive semidefinite 2 x 2 matrix "
+     "scene.toml:13: heat.conductivity: expected a number > 0 or a symmetric positive semidefinite 2 x 2 "
+     "matrix "
      "(W/(m K)), found [[1, 2], [2]]"},
     {"Coupling", 13, "conductivity = 1\nthermal_stress = [[1, 2], [0, 1]]",
      "scene.toml:14: heat.thermal_stress: expected a number or a symmetric 2 x 2 matrix (Pa/K), "
      "found [[1, 2], [0, 1]] (not symmetric)"},
     {"Voigt", 10, "poisson = 0.1\n[material.viscosity]\ntensor = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]",
-     "scene.toml:12: material.viscosity.tensor: expected a symmetric positive semidefinite 3 x 3 matrix (Pa s), "
+     "scene.toml:12: material.viscosity.tensor: expected a symmetric positive semidefinite 3 x 3 matrix (Pa "
+     "s), "
      "found [[1, 0, 0], [0, 1, 0], [0, 0, -1]] (smallest eigenvalue -1)"},
     {"VoigtSize", 10, "poisson = 0.1\n[material.viscosity]\ntensor = [[1, 0], [0, 1]]",
-     "scene.toml:12: material.viscosity.tensor: expected a symmetric positive semidefinite 3 x 3 matrix (Pa s), "
+     "scene.toml:12: material.viscosity.tensor: expected a symmetric positive semidefinite 3 x 3 matrix (Pa "
+     "s), "
      "found [[1, 0], [0, 1]]"},
     {"NegativeViscosity", 10, "poisson = 0.1\n[material.viscosity]\ntrace = -1.5\nshear = 2",
-     "scene.toml:12: material.viscosity.trace: expected a number >= -shear/2 = -1 (Pa s) so that viscosity never "
+     "scene.toml:12: material.viscosity.trace: expected a number >= -shear/2 = -1 (Pa s) so that viscosity "
+     "never "
      "produces energy, found -1.5"},
 };
 
 const Mistake combinations[] = {
     {"StepAndSteps", 5, "steps = 4\nstep = 0.25",
      "scene.toml:6: time.step: cannot stand beside time.steps (line 5); give one of the two"},
-    {"NeitherStepNorSteps", 5, "", "scene.toml:3: time.steps: missing; add steps = 20, or step = 0.125 to [time]"},
+    {"NeitherStepNorSteps", 5, "",
+     "scene.toml:3: time.steps: missing; add steps = 20, or step = 0.125 to [time]"},
     {"NoCells", 2, "", "scene.toml:1: mesh.cells: missing; add cells = [8, 4] to [mesh]"},
     {"NoYoung", 9, "",
      "scene.toml:8: material.elasticity.young: missing; add young = 2.1e11, or "
@@ -172,16 +189,21 @@ const Mistake combinations[] = {
     {"TemperatureAndHeatFlux", 16, "heat_flux = 0\ntemperature = 0",
      "scene.toml:17: boundary.top.temperature: cannot stand beside boundary.top.heat_flux (line 16); "
      "give one of the two"},
-    {"TemperatureAndConductance", 17, "[boundary.bottom]\ntemperature = 1\n[boundary.bottom.contact.compliance]",
-     "scene.toml:24: boundary.bottom.contact.conductance: cannot stand beside boundary.bottom.temperature (line 18); "
+    {"TemperatureAndConductance", 17,
+     "[boundary.bottom]\ntemperature = 1\n[boundary.bottom.contact.compliance]",
+     "scene.toml:24: boundary.bottom.contact.conductance: cannot stand beside boundary.bottom.temperature "
+     "(line 18); "
      "give one of the two"},
     {"TractionAgainstDisplacement", 15, "traction = [0, 1]\ndisplacement = [\"free\", 0]",
      "scene.toml:16: boundary.top.displacement: conflicts with boundary.top.traction (line 15): "
      "the y component is both prescribed and loaded; make it \"free\" or 0"},
-    {"PrescribedContact", 17, "[boundary.bottom]\ndisplacement = [0, 0]\n[boundary.bottom.contact.compliance]",
-     "scene.toml:19: boundary.bottom.contact.compliance: conflicts with boundary.bottom.displacement (line 18): "
+    {"PrescribedContact", 17,
+     "[boundary.bottom]\ndisplacement = [0, 0]\n[boundary.bottom.contact.compliance]",
+     "scene.toml:19: boundary.bottom.contact.compliance: conflicts with boundary.bottom.displacement (line "
+     "18): "
      "every displacement component is prescribed; make one \"free\""},
-    {"FrictionWithoutCompliance", 14, "[boundary.left.contact.friction]\ncoefficient = 1\nregularisation = 1\n"
+    {"FrictionWithoutCompliance", 14,
+     "[boundary.left.contact.friction]\ncoefficient = 1\nregularisation = 1\n"
      "[boundary.top]",
      "scene.toml:15: boundary.left.contact.friction.coefficient: needs boundary.left.contact.compliance, "
      "which the scene lacks"},
@@ -189,7 +211,6 @@ const Mistake combinations[] = {
      "scene.toml:14: boundary.left.contact: needs [boundary.left.contact.compliance] or "
      "[boundary.left.contact.conductance]"},
 };
-// clang-format on
 
 std::string name_of(const testing::TestParamInfo<Mistake>& info) {
     return info.param.name;

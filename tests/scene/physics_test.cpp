@@ -95,7 +95,7 @@ TEST(Files, NestingWithoutEnd) {
     EXPECT_EQ(message("[mesh]\n" + deep + " = 1\n"), "scene.toml:2: more than 100 dots in one line");
     EXPECT_EQ(message("a = " + std::string(100'000, '[')).substr(0, 13), "scene.toml:1:");
     std::string headers = "[" + deep.substr(0, 161) + "]\n" + deep.substr(0, 161) + " = 1\n";
-    EXPECT_EQ(message(headers).substr(0, 14), "scene.toml:1: ");
+    EXPECT_EQ(message(headers).substr(0, 14), "scene.toml:2: ");
     EXPECT_NE(message(headers).find("tables nested too deeply"), std::string::npos);
     std::string arrays = "a = ";
     for (int i = 0; i < 300; ++i) {

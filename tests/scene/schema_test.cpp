@@ -2,13 +2,12 @@
 
 #include "scene/schema.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "scene/document.h"
 #include "scene/text.h"
 #include "scene_files.h"
 
@@ -213,9 +212,12 @@ TEST(Schema, JsonListsEveryKey) {
 
 TEST(Schema, TomlIsToml) {
     const std::string text = print_schema("toml");
-    const toml::table table = toml::parse(std::string_view(text));
+    std::set<std::string> names;
+    for (const Entry& entry : parse_entries(text, {.source = "schema"})) {
+        names.insert(entry.key);
+    }
     for (const Key& key : schema()) {
-        EXPECT_TRUE(table.at_path(key.name)) << key.name;
+        EXPECT_TRUE(names.contains(key.name)) << key.name;
         EXPECT_NE(text.find("# " + key.description + "\n"), std::string::npos);
     }
 }

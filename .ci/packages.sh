@@ -1,0 +1,27 @@
+#!/bin/sh
+# Installs what thermocontact needs from Debian's packages; does nothing when all of it is there.
+set -eu
+
+packages="g++ cmake ninja-build pkg-config
+    libbasix-dev libcli11-dev libeigen3-dev libmuparser-dev libopenblas-pthread-dev libopenblas0-pthread
+    libsuitesparse-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev
+    python3 python3-dolfinx python3-ffcx python3-matplotlib openmpi-bin"
+
+missing=""
+for package in $packages; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q "ok installed" || missing="$missing $package"
+done
+[ -z "$missing" ] && exit 0
+
+if [ "$(id -u)" -eq 0 ]; then
+    as_root=""
+elif command -v sudo >/dev/null 2>&1; then
+    as_root="sudo"
+else
+    echo "these packages are missing, and installing them takes root or sudo:$missing" >&2
+    exit 1
+fi
+echo "installing:$missing"
+$as_root apt-get update -qq
+# shellcheck disable=SC2086  # a list of words
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null

@@ -1,0 +1,307 @@
+/// Closed forms of all kernels on one triangle: each entry of an element tensor as a polynomial integrand.
+///
+/// Written from MODEL.md in barycentric coordinates; no line is shared with forms/.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fem/form.h"
+#include "support/barycentric.h"
+
+namespace thermocontact::fem {
+
+using support::Polynomial;
+using support::Triangle;
+using support::Vector2;
+using support::VectorPolynomial;
+
+/// Numbers and fields on one triangle. Contact is the same kind (open or closed, ...) on the whole of each facet.
+struct Situation {
+    std::string name;
+    Triangle triangle;
+    int degree;
+    Constants constants;
+    VectorPolynomial u, w, f;
+    Polynomial g, theta, theta_F;
+    std::vector<double> stress;  ///< xx, yy, zz, xy, yz, xz
+    bool closed = true;
+    double transfer_slope = 0;      ///< k_c(r) = transfer_offset + transfer_slope r
+    double transfer_offset = 0;
+    double limited_slope = 1;       ///< phi_L(s) = limited_offset + limited_slope s
+    double limited_offset = 0;
+
+    double constant(const std::string& name) const { return constants.at(name).front(); }
+    std::vector<Polynomial> shapes() const { return support::shape_functions(degree); }
+};
+
+enum class Domain {
+    cell,
+    facet,    ///< exact integration
+    contact,  ///< every rule of forms/space.py
+    nodes     ///< the rule at the facet's nodes
+};
+
+/// Integrands of the tensor's entries, row-major, on the given facet.
+using Integrands = std::function<std::vector<Polynomial>(const Situation&, std::size_t facet)>;
+
+struct ClosedForm {
+    Domain domain;
+    Integrands integrands;
+};
+
+/// Scalar shape functions, or those of the vector space (node by node, components interleaved).
+struct VectorShape {
+    Polynomial value;
+    std::size_t component;
+    VectorPolynomial gradient;
+
+    Polynomial dot(const Vector2& vector) const { return value * vector[component]; }
+    /// Voigt strain (e_xx, e_yy, 2 e_xy).
+    std::array<Polynomial, 3> strain() const {
+        return component == 0 ? std::array<Polynomial, 3>{gradient[0], 0.0, gradient[1]}
+                              : std::array<Polynomial, 3>{0.0, gradient[1], gradient[0]};
+    }
+};
+
+inline std::vector<VectorShape> vector_shapes(const Situation& at) {
+    std::vector<VectorShape> result;
+    for (const Polynomial& shape : at.shapes()) {
+        for (std::size_t c = 0; c < 2; ++c) {
+            result.push_back({shape, c, at.triangle.gradient(shape)});
+        }
+    }
+    return result;
+}
+
+/// Entries entry(row, column) for all pairs of the two lists.
+template <typename Rows, typename Columns, typename Entry>
+std::vector<Polynomial> outer(const Rows& rows, const Columns& columns, Entry entry) {
+    std::vector<Polynomial> result;
+    for (const auto& row : rows) {
+        for (const auto& column : columns) {
+            result.push_back(entry(row, column));
+        }
+    }
+    return result;
+}
+
+template <typename Rows, typename Entry>
+std::vector<Polynomial> each(const Rows& rows, Entry entry) {
+    std::vector<Polynomial> result;
+    for (const auto& row : rows) {
+        result.push_back(entry(row));
+    }
+    return result;
+}
+
+inline Polynomial dot(const VectorPolynomial& a, const Vector2& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+/// a^T C b with C [3][3] row-major.
+inline Polynomial contract(const std::array<Polynomial, 3>& a, const std::vector<double>& C, const std::array<Polynomial, 3>& b) {
+    Polynomial sum;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            sum = sum + a[i] * b[j] * C[3 * i + j];
+        }
+    }
+    return sum;
+}
+
+/// T : e with T [2][2] and the Voigt strain e.
+inline Polynomial contract(const std::vector<double>& T, const std::array<Polynomial, 3>& e) {
+    return e[0] * T[0] + e[1] * T[3] + e[2] * ((T[1] + T[2]) / 2);
+}
+
+inline std::array<Polynomial, 3> strain(const Triangle& triangle, const VectorPolynomial& u) {
+    const VectorPolynomial x = triangle.gradient(u[0]), y = triangle.gradient(u[1]);
+    return {x[0], y[1], x[1] + y[0]};
+}
+
+/// (B^T C B) of the constant `tensor`; identity_in_tensor_norm gives eps : eps.
+inline std::vector<Polynomial> strain_product(const Situation& at, const std::vector<double>& tensor) {
+    const auto shapes = vector_shapes(at);
+    return outer(shapes, shapes, [&](const auto& v, const auto& u) { return contract(v.strain(), tensor, u.strain()); });
+}
+
+inline std::vector<Polynomial> vector_mass(const Situation& at, double factor) {
+    const auto shapes = vector_shapes(at);
+    return outer(shapes, shapes, [&](const auto& v, const auto& w) {
+        return v.component == w.component ? v.value * w.value * factor : Polynomial();
+    });
+}
+
+inline std::vector<Polynomial> scalar_mass(const Situation& at, double factor) {
+    return outer(at.shapes(), at.shapes(), [&](const auto& v, const auto& u) { return v * u * factor; });
+}
+
+inline std::vector<Polynomial> vector_load(const Situation& at) {
+    return each(vector_shapes(at), [&](const auto& v) { return v.value * at.f[v.component]; });
+}
+
+inline std::vector<Polynomial> scalar_load(const Situation& at, const Polynomial& q) {
+    return each(at.shapes(), [&](const auto& v) { return v * q; });
+}
+
+/// The contact quantities of one facet.
+struct Contact {
+    Vector2 n;
+    Polynomial r;           ///< u.n - g
+    Polynomial p, dp;       ///< p_n(r), p_n'(r)
+    Vector2 w_t;
+    double speed;           ///< |w_t|_eps
+    double tangent[2][2];   ///< I - n n^T
+
+    Contact(const Situation& at, std::size_t facet) : n(at.triangle.outward_normal(facet)), r(dot(at.u, n) - at.g) {
+        const double c_n = at.constant("c_n"), m = at.constant("m"), eps = at.constant("eps");
+        if (at.closed) {
+            p = m == 1 ? c_n * r : c_n * r * r;
+            dp = m == 1 ? Polynomial(c_n) : 2 * c_n * r;
+        }
+        const std::array<double, 3> anywhere{1, 0, 0};  // w is constant
+        const Vector2 w{at.w[0](anywhere), at.w[1](anywhere)};
+        const double w_n = w[0] * n[0] + w[1] * n[1];
+        w_t = {w[0] - w_n * n[0], w[1] - w_n * n[1]};
+        speed = std::sqrt(w_t[0] * w_t[0] + w_t[1] * w_t[1] + eps * eps);
+        for (std::size_t a = 0; a < 2; ++a) {
+            for (std::size_t b = 0; b < 2; ++b) {
+                tangent[a][b] = (a == b ? 1.0 : 0.0) - n[a] * n[b];
+            }
+        }
+    }
+
+    bool slips(double eps) const { return std::hypot(w_t[0], w_t[1]) > eps; }
+};
+
+inline Polynomial heat_flow(const Situation& at, const Contact& contact) {
+    return (contact.r * at.transfer_slope + at.transfer_offset) *
+           ((at.theta - at.theta_F) * at.limited_slope + at.limited_offset);
+}
+
+inline std::vector<Polynomial> friction_jacobian(const Situation& at, std::size_t facet) {
+    const Contact contact(at, facet);
+    const double mu = at.constant("mu"), k = at.constant("k");
+    const auto shapes = vector_shapes(at);
+    return outer(shapes, shapes, [&](const auto& v, const auto& dw) {
+        const double a = contact.w_t[v.component], b = contact.w_t[dw.component];
+        const Polynomial bound = contact.dp * (mu * k * contact.n[dw.component] * a / contact.speed);
+        const double direction = contact.tangent[v.component][dw.component] / contact.speed -
+                                 a * b / (contact.speed * contact.speed * contact.speed);
+        return (bound + contact.p * (mu * direction)) * v.value * dw.value;
+    });
+}
+
+/// Integral of sigma over the cell, all six components.
+inline std::vector<Polynomial> stress(const Situation& at) {
+    const auto e = strain(at.triangle, at.u), de = strain(at.triangle, at.w);
+    const auto& [E, V, M] = std::tie(at.constants.at("E"), at.constants.at("Visc"), at.constants.at("M"));
+    const auto row = [&](const std::vector<double>& matrix, std::size_t i, const std::array<Polynomial, 3>& strain) {
+        return strain[0] * matrix[3 * i] + strain[1] * matrix[3 * i + 1] + strain[2] * matrix[3 * i + 2];
+    };
+    const auto component = [&](std::size_t i, double expansion) {
+        return row(E, i, e) + row(V, i, de) - at.theta * expansion;
+    };
+    const Polynomial zz = row(at.constants.at("E_zz"), 0, e) + row(at.constants.at("Visc_zz"), 0, de) -
+                          at.theta * at.constant("M_zz");
+    return {component(0, M[0]), component(1, M[3]), zz, component(2, M[1]), 0.0, 0.0};
+}
+
+inline double von_mises(const std::vector<double>& s) {
+    const double mean = (s[0] + s[1] + s[2]) / 3;
+    double squares = 0;  // of the deviator
+    for (std::size_t i = 0; i < 3; ++i) {
+        squares += (s[i] - mean) * (s[i] - mean) + 2 * s[3 + i] * s[3 + i];
+    }
+    return std::sqrt(1.5 * squares);
+}
+
+inline Integrands on_contact(std::function<std::vector<Polynomial>(const Situation&, const Contact&)> integrands) {
+    return [=](const Situation& at, std::size_t facet) { return integrands(at, Contact(at, facet)); };
+}
+
+inline Integrands on_cell(std::function<std::vector<Polynomial>(const Situation&)> integrands) {
+    return [=](const Situation& at, std::size_t) { return integrands(at); };
+}
+
+/// By the names of the kernels.
+inline std::map<std::string, ClosedForm> closed_forms() {
+    std::map<std::string, ClosedForm> forms;
+    const auto cell = [&](const std::string& name, auto integrands) { forms[name] = {Domain::cell, on_cell(integrands)}; };
+    const auto contact = [&](const std::string& name, Domain domain, auto integrands) {
+        forms[name] = {domain, on_contact(integrands)};
+    };
+    using At = const Situation&;
+    using On = const Contact&;
+
+    cell("inertia.mass", [](At at) { return vector_mass(at, at.constant("rho")); });
+    cell("norms.velocity", [](At at) { return vector_mass(at, 1.0); });
+    cell("norms.temperature", [](At at) { return scalar_mass(at, 1.0); });
+    cell("heat_capacity.capacity", [](At at) { return scalar_mass(at, at.constant("c")); });
+    cell("elasticity.stiffness", [](At at) { return strain_product(at, at.constants.at("E")); });
+    cell("viscosity.damping", [](At at) { return strain_product(at, at.constants.at("Visc")); });
+    // eps : eps = e_xx^2 + e_yy^2 + (2 e_xy)^2 / 2
+    cell("norms.strains", [](At at) { return strain_product(at, {1, 0, 0, 0, 1, 0, 0, 0, 0.5}); });
+    cell("conduction.conduction", [](At at) {
+        const std::vector<double>& K = at.constants.at("K");
+        return outer(at.shapes(), at.shapes(), [&](const auto& eta, const auto& theta) {
+            const VectorPolynomial a = at.triangle.gradient(eta), b = at.triangle.gradient(theta);
+            return a[0] * (b[0] * K[0] + b[1] * K[1]) + a[1] * (b[0] * K[2] + b[1] * K[3]);
+        });
+    });
+    cell("thermal_stress.coupling", [](At at) {
+        return outer(vector_shapes(at), at.shapes(),
+                     [&](const auto& v, const auto& theta) { return theta * contract(at.constants.at("M"), v.strain()); });
+    });
+    cell("strain_heating.coupling", [](At at) {
+        return outer(at.shapes(), vector_shapes(at),
+                     [&](const auto& eta, const auto& u) { return eta * contract(at.constants.at("R"), u.strain()); });
+    });
+    cell("body_force.load", vector_load);
+    cell("heat_source.load", [](At at) { return scalar_load(at, at.theta); });
+    cell("stress.integrated", stress);
+    cell("stress.volume", [](At) { return std::vector<Polynomial>{1.0}; });
+    cell("stress.von_mises", [](At at) { return std::vector<Polynomial>{von_mises(at.stress)}; });
+    forms["traction.load"] = {Domain::facet, on_cell(vector_load)};
+    forms["heat_flux.load"] = {Domain::facet, on_cell([](At at) { return scalar_load(at, at.theta); })};
+
+    contact("compliance.residual", Domain::contact, [](At at, On on) {
+        return each(vector_shapes(at), [&](const auto& v) { return on.p * v.dot(on.n); });
+    });
+    contact("compliance.jacobian", Domain::contact, [](At at, On on) {
+        const auto shapes = vector_shapes(at);
+        return outer(shapes, shapes, [&](const auto& v, const auto& dw) {
+            return on.dp * at.constant("k") * dw.dot(on.n) * v.dot(on.n);
+        });
+    });
+    contact("compliance.normal_force", Domain::contact, [](At, On on) { return std::vector<Polynomial>{on.p}; });
+    contact("compliance.pressure", Domain::nodes, [](At at, On on) { return scalar_load(at, on.p); });
+    contact("friction.residual", Domain::contact, [](At at, On on) {
+        return each(vector_shapes(at), [&](const auto& v) { return on.p * (at.constant("mu") / on.speed) * v.dot(on.w_t); });
+    });
+    forms["friction.jacobian"] = {Domain::contact, friction_jacobian};
+    contact("friction.traction", Domain::nodes, [](At at, On on) {
+        return each(vector_shapes(at), [&](const auto& v) { return on.p * (-at.constant("mu") / on.speed) * v.dot(on.w_t); });
+    });
+    contact("conductance.residual", Domain::contact, [](At at, On on) { return scalar_load(at, heat_flow(at, on)); });
+    contact("conductance.heat_flow", Domain::nodes, [](At at, On on) { return scalar_load(at, heat_flow(at, on)); });
+    contact("conductance.jacobian", Domain::contact, [](At at, On on) {
+        const Polynomial slope = (on.r * at.transfer_slope + at.transfer_offset) * at.limited_slope;
+        return outer(at.shapes(), at.shapes(), [&](const auto& v, const auto& u) { return v * u * slope; });
+    });
+    contact("kinematics.area", Domain::contact, [](At, On) { return std::vector<Polynomial>{1.0}; });
+    contact("kinematics.closed_area", Domain::contact,
+            [](At at, On) { return std::vector<Polynomial>{at.closed ? 1.0 : 0.0}; });
+    contact("kinematics.slip_area", Domain::contact, [](At at, On on) {
+        return std::vector<Polynomial>{at.closed && on.slips(at.constant("eps")) ? 1.0 : 0.0};
+    });
+    contact("kinematics.node_area", Domain::nodes, [](At at, On) { return at.shapes(); });
+    contact("kinematics.gap", Domain::nodes, [](At at, On on) { return scalar_load(at, 0.0 - on.r); });
+    contact("kinematics.slip_velocity", Domain::nodes, [](At at, On on) {
+        return each(vector_shapes(at), [&](const auto& v) { return v.dot(on.w_t); });
+    });
+    return forms;
+}
+
+}  // namespace thermocontact::fem

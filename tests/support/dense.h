@@ -1,0 +1,43 @@
+/// Sparse things as dense ones, for comparison.
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+
+#include "fem/block_matrix.h"
+
+namespace thermocontact::support {
+
+inline Eigen::MatrixXd dense(const fem::BlockMatrix& matrix) {
+    const fem::NodeGraph& graph = *matrix.graph;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(graph.node_count() * matrix.rows, graph.node_count() * matrix.columns);
+    for (int node = 0; node < graph.node_count(); ++node) {
+        for (int i = graph.offsets[node]; i < graph.offsets[node + 1]; ++i) {
+            for (int r = 0; r < matrix.rows; ++r) {
+                for (int c = 0; c < matrix.columns; ++c) {
+                    result(node * matrix.rows + r, graph.columns[i] * matrix.columns + c) =
+                        matrix.values[(i * matrix.rows + r) * matrix.columns + c];
+                }
+            }
+        }
+    }
+    return result;
+}
+
+inline Eigen::VectorXd as_vector(const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+inline std::vector<double> as_std(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+
+/// Numbers in (-1, 1), the same in every run.
+inline std::vector<double> random_numbers(std::size_t count, unsigned seed = 1) {
+    std::mt19937 engine(seed);
+    std::vector<double> result(count);
+    for (double& value : result) {
+        value = 2.0 * engine() / 4294967296.0 - 1.0;
+    }
+    return result;
+}
+
+}  // namespace thermocontact::support

@@ -45,8 +45,8 @@ class Momentum {
         std::vector<double> mass_w, stiffness_u;
     };
 
-    std::vector<double> right_hand_side(const std::vector<double>& load, const State& state) const;
-    MomentumForces forces(const std::vector<double>& load, const State& old, const Products& now);
+    std::vector<double> right_hand_side(const std::vector<double>& load) const;
+    MomentumForces forces(const std::vector<double>& load, const Products& now);
     Energies energies(const State& old, const std::vector<double>& new_u, const Products& now) const;
     void audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u);
 
@@ -60,6 +60,7 @@ class Momentum {
     std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
     std::unique_ptr<Balance> balance_;
     Products old_;
+    std::vector<double> thermal_;  ///< (theta_{n-1} M, eps(v)), assembled
     double audit_seconds_ = 0;
     Record record_;
     double energy_residual_ = 0, force_residual_ = 0;

@@ -49,6 +49,19 @@ bool Newton::factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::Vec
     return has_factors_;
 }
 
+void Newton::polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x,
+                    Residual& current) {
+    if (!has_factors_ || current.norm == 0) {
+        return;
+    }
+    Eigen::VectorXd candidate = x - factors_.solve(current.value);
+    Residual next = residual(S, s, F, candidate);
+    if (next.norm < current.norm) {
+        x = std::move(candidate);
+        current = std::move(next);
+    }
+}
+
 NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x) {
     Residual current = residual(S, s, F, x);
     bool fresh = false;
@@ -57,6 +70,7 @@ NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, N
             return {NewtonEnd::not_finite, iteration, current.relative};
         }
         if (current.relative <= options_.tolerance) {
+            polish(S, s, F, x, current);
             return {NewtonEnd::converged, iteration, current.relative};
         }
         if (iteration == options_.max_iterations) {

@@ -56,6 +56,10 @@ class Newton {
         double relative;
     };
 
+    /// One more update with the factors at hand, taken if it lowers the residual: it costs little and brings the solution
+    /// from the tolerance down to round-off.
+    void polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x, Residual& current);
+
     Residual residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, const Eigen::VectorXd& x);
     bool factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x);
 

@@ -229,6 +229,9 @@ void PanelFactor::backward(std::vector<double>& x) {
 }
 
 Eigen::MatrixXd PanelFactor::schur_complement() const {
+    if (tail_.size() == 0) {
+        return tail_;  // BLAS refuses empty products
+    }
     return tail_.triangularView<Eigen::Lower>() * tail_.transpose();
 }
 

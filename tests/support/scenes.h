@@ -15,8 +15,7 @@ using Overrides = std::vector<std::string>;
 
 /// A file of the folder scenes/.
 inline scene::Scene repository_scene(const std::string& name, const Overrides& overrides = {}) {
-    const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-    return scene::read_scene(root / "scenes" / (name + ".toml"), overrides);
+    return scene::read_scene(std::filesystem::path(THERMOCONTACT_SCENES) / (name + ".toml"), overrides);
 }
 
 /// A scene with what discretises it.

@@ -16,8 +16,8 @@ struct SystemError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The numerics failed: no convergence, singular system, non-finite value (exit code 3). The message names the
-/// step, the equation, what was tried and what to change.
+/// The numerics failed: no convergence, singular system, non-finite value (exit code 3). The message names
+/// the step, the equation, what was tried and what to change.
 struct NumericsError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

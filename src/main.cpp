@@ -1,4 +1,5 @@
-/// thermocontact: dynamic frictional contact of a thermo-viscoelastic body with a rigid, heat-conducting foundation.
+/// thermocontact: dynamic frictional contact of a thermo-viscoelastic body with a rigid, heat-conducting
+/// foundation.
 
 #include <malloc.h>
 
@@ -16,9 +17,13 @@ namespace {
 
 using namespace thermocontact;
 
-int execute(const app::RunCommand& command) { return app::run(command); }
+int execute(const app::RunCommand& command) {
+    return app::run(command);
+}
 
-int execute(const app::CheckCommand& command) { return app::check(command); }
+int execute(const app::CheckCommand& command) {
+    return app::check(command);
+}
 
 int execute(const app::SchemaCommand& command) {
     std::cout << scene::print_schema(command.format);
@@ -47,7 +52,8 @@ int main(int argc, char** argv) {
     mallopt(M_MMAP_THRESHOLD, 1 << 30);
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
     try {
-        return std::visit([](const auto& command) { return execute(command); }, app::parse_command_line(argc, argv));
+        return std::visit([](const auto& command) { return execute(command); },
+                          app::parse_command_line(argc, argv));
     } catch (const SceneError& error) {
         return fail(app::exit_bad_input, error.what());
     } catch (const NumericsError& error) {

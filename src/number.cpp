@@ -14,8 +14,12 @@ std::string print(const char* format, double value) {
 
 }  // namespace
 
-std::string short_text(double value) { return print("%.6g", value); }
+std::string short_text(double value) {
+    return print("%.6g", value);
+}
 
-std::string exact_text(double value) { return print("%.17g", value); }
+std::string exact_text(double value) {
+    return print("%.17g", value);
+}
 
 }  // namespace thermocontact

@@ -46,7 +46,8 @@ void print_hypotheses(const scene::Scene& scene) {
         line(elastic > 0, "(H2) elasticity elliptic: m_b = " + short_text(elastic));
     }
     if (scene.heat) {
-        const double m = scene.heat->conductivity ? smallest_eigenvalue(scene.heat->conductivity->matrix) : 0.0;
+        const double m =
+            scene.heat->conductivity ? smallest_eigenvalue(scene.heat->conductivity->matrix) : 0.0;
         line(m > 0, "(H3 ii) conductivity elliptic: m_d = " + short_text(m) +
                         (m > 0 ? "" : "; heat does not diffuse in every direction"));
     }
@@ -60,7 +61,8 @@ void print_hypotheses(const scene::Scene& scene) {
                                                         short_text(contact.compliance->stiffness));
         }
         if (contact.conductance) {
-            line(true, "boundary." + name + ": k_c bounded, M_kc = " + short_text(contact.conductance->coefficient));
+            line(true, "boundary." + name +
+                           ": k_c bounded, M_kc = " + short_text(contact.conductance->coefficient));
         }
     }
 }

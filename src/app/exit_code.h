@@ -9,6 +9,8 @@ inline constexpr int exit_bad_input = 2;
 inline constexpr int exit_numerics_failed = 3;
 
 /// 130 for SIGINT, 143 for SIGTERM.
-constexpr int exit_of_signal(int signal) { return 128 + signal; }
+constexpr int exit_of_signal(int signal) {
+    return 128 + signal;
+}
 
 }  // namespace thermocontact::app

@@ -15,10 +15,13 @@ namespace {
 
 volatile std::sig_atomic_t caught_signal = 0;
 
-void catch_signal(int signal) { caught_signal = signal; }
+void catch_signal(int signal) {
+    caught_signal = signal;
+}
 
 /// Marches until the end or a signal.
-void march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress, output::Seconds& seconds) {
+void march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress,
+              output::Seconds& seconds) {
     while (!simulation.finished() && caught_signal == 0) {
         timed(seconds.steps, [&] { simulation.advance(); });
         timed(seconds.output, [&] {
@@ -57,8 +60,8 @@ int run(const RunCommand& command) {
     }
     if (!simulation.finished()) {
         finish("interrupted", "signal " + std::to_string(caught_signal));
-        std::cerr << "thermocontact: interrupted after step " << simulation.state().step << "; results so far in "
-                  << command.output.string() << "\n";
+        std::cerr << "thermocontact: interrupted after step " << simulation.state().step
+                  << "; results so far in " << command.output.string() << "\n";
         return exit_of_signal(caught_signal);
     }
     finish("completed", "");

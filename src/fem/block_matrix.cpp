@@ -49,7 +49,35 @@ void multiply_blocks(const BlockMatrix& matrix, const double* x, double* y) {
     }
 }
 
-void scatter(std::span<const double> tensor, std::span<const std::int32_t> nodes, int components, std::vector<double>& vector) {
+template <int components>
+void multiply_scaled(const BlockMatrix& matrix, const double* x, double* y) {
+    const NodeGraph& graph = *matrix.graph;
+    for (std::size_t node = 0; node + 1 < graph.offsets.size(); ++node) {
+        double sum[components] = {};
+        for (auto i = static_cast<std::size_t>(graph.offsets[node]);
+             i < static_cast<std::size_t>(graph.offsets[node + 1]); ++i) {
+            const double* values = x + static_cast<std::ptrdiff_t>(graph.columns[i]) * components;
+            for (int c = 0; c < components; ++c) {
+                sum[c] += matrix.values[i] * values[c];
+            }
+        }
+        std::copy_n(sum, components, y + static_cast<std::ptrdiff_t>(node) * components);
+    }
+}
+
+bool is_scaled_identity(const double* block, std::size_t size) {
+    for (std::size_t r = 0; r < size; ++r) {
+        for (std::size_t c = 0; c < size; ++c) {
+            if (block[r * size + c] != (r == c ? block[0] : 0.0)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+void scatter(std::span<const double> tensor, std::span<const std::int32_t> nodes, int components,
+             std::vector<double>& vector) {
     const auto size = static_cast<std::size_t>(components);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (std::size_t c = 0; c < size; ++c) {
@@ -100,7 +128,23 @@ void BlockMatrix::multiply(const std::vector<double>& x, std::vector<double>& y)
         {multiply_blocks<2, 1>, multiply_blocks<2, 2>, nullptr},
         {multiply_blocks<3, 1>, nullptr, multiply_blocks<3, 3>},
     };
-    table[rows - 1][columns - 1](*this, x.data(), y.data());
+    constexpr Multiply scaled[3] = {multiply_scaled<1>, multiply_scaled<2>, multiply_scaled<3>};
+    (scaled_identities ? scaled[rows - 1] : table[rows - 1][columns - 1])(*this, x.data(), y.data());
+}
+
+void BlockMatrix::compress() {
+    const auto size = static_cast<std::size_t>(rows), block = size * size;
+    for (std::size_t i = 0; i < values.size(); i += block) {
+        if (rows != columns || !is_scaled_identity(&values[i], size)) {
+            return;
+        }
+    }
+    for (std::size_t i = 0; i * block < values.size(); ++i) {
+        values[i] = values[i * block];
+    }
+    values.resize(values.size() / block);
+    values.shrink_to_fit();
+    scaled_identities = true;
 }
 
 void BlockMatrix::add(double factor, const BlockMatrix& other) {
@@ -111,7 +155,7 @@ void BlockMatrix::add(double factor, const BlockMatrix& other) {
 
 BlockMatrix zero_matrix(const NodeGraph& graph, int rows, int columns) {
     const auto size = graph.columns.size() * static_cast<std::size_t>(rows * columns);
-    return {&graph, rows, columns, std::vector<double>(size, 0.0)};
+    return {&graph, rows, columns, std::vector<double>(size, 0.0), false};
 }
 
 BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& graph, int rows, int columns) {

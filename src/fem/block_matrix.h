@@ -11,9 +11,10 @@ namespace thermocontact::fem {
 
 /// Which nodes couple: compressed rows with sorted columns, shared by all matrices of a space.
 struct NodeGraph {
-    std::vector<std::int32_t> offsets;         ///< [nodes + 1]
-    std::vector<std::int32_t> columns;         ///< [offsets.back()]
-    std::vector<std::int32_t> cell_positions;  ///< [cells][row node][column node]: where an element tensor goes
+    std::vector<std::int32_t> offsets;  ///< [nodes + 1]
+    std::vector<std::int32_t> columns;  ///< [offsets.back()]
+    std::vector<std::int32_t>
+        cell_positions;  ///< [cells][row node][column node]: where an element tensor goes
 
     std::int32_t node_count() const { return static_cast<std::int32_t>(offsets.size()) - 1; }
 };
@@ -26,13 +27,18 @@ struct BlockMatrix {
     int rows;     ///< components of y at a node
     int columns;  ///< components of x at a node
     std::vector<double> values;
+    bool scaled_identities = false;  ///< each block is a multiple of the identity, `values` holds its factor
 
     std::vector<double> multiply(const std::vector<double>& x) const;
 
     /// y = A x without allocating; y has its size already.
     void multiply(const std::vector<double>& x, std::vector<double>& y) const;
 
-    /// this += factor * other (same shape).
+    /// Keeps the factors only if every block is a multiple of the identity (mass matrices); does nothing
+    /// otherwise.
+    void compress();
+
+    /// this += factor * other (same shape, neither compressed).
     void add(double factor, const BlockMatrix& other);
 };
 

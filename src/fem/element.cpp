@@ -18,8 +18,8 @@ basix::cell::type cell_type(const std::string& cell) {
 
 auto create(basix::cell::type cell, int degree) {
 #if BASIX_VERSION_MAJOR == 0 && BASIX_VERSION_MINOR < 7
-    return basix::create_element(basix::element::family::P, cell, degree, basix::element::lagrange_variant::gll_warped,
-                                 false);
+    return basix::create_element(basix::element::family::P, cell, degree,
+                                 basix::element::lagrange_variant::gll_warped, false);
 #else
     return basix::create_element<double>(basix::element::family::P, cell, degree,
                                          basix::element::lagrange_variant::gll_warped,
@@ -28,7 +28,8 @@ auto create(basix::cell::type cell, int degree) {
 }
 
 /// Affine coordinates of reference points of a simplex: (1 - sum X_i, X_1, ..., X_d).
-std::vector<std::vector<double>> affine_coordinates(const std::vector<double>& points, std::size_t dimension) {
+std::vector<std::vector<double>> affine_coordinates(const std::vector<double>& points,
+                                                    std::size_t dimension) {
     std::vector<std::vector<double>> weights;
     for (std::size_t p = 0; p < points.size(); p += dimension) {
         std::vector<double> row(1, 1.0);

@@ -55,12 +55,14 @@ void Form::gather(std::int32_t cell) {
     const auto vertices = static_cast<std::size_t>(mesh_->vertices_per_cell);
     for (std::size_t v = 0; v < vertices; ++v) {
         const auto vertex = mesh_->cells[static_cast<std::size_t>(cell) * vertices + v];
-        std::ranges::copy(mesh_->points[static_cast<std::size_t>(vertex)], coordinates_.begin() + static_cast<long>(3 * v));
+        std::ranges::copy(mesh_->points[static_cast<std::size_t>(vertex)],
+                          coordinates_.begin() + static_cast<long>(3 * v));
     }
     double* target = coefficients_.data();
     for (const Field& field : fields_) {
         for (const std::int32_t node : field.dofmap->of(cell)) {
-            const double* source = field.values->data() + static_cast<std::size_t>(node) * static_cast<std::size_t>(field.components);
+            const double* source = field.values->data() + static_cast<std::size_t>(node) *
+                                                              static_cast<std::size_t>(field.components);
             target = std::copy_n(source, field.components, target);
         }
     }
@@ -69,7 +71,8 @@ void Form::gather(std::int32_t cell) {
 void Form::add_cell(std::int32_t cell, std::span<double> tensor) {
     gather(cell);
     for (const Tabulate tabulate : cell_calls_) {
-        tabulate(tensor.data(), coefficients_.data(), constants_.data(), coordinates_.data(), nullptr, nullptr);
+        tabulate(tensor.data(), coefficients_.data(), constants_.data(), coordinates_.data(), nullptr,
+                 nullptr);
     }
 }
 
@@ -77,7 +80,8 @@ void Form::add_facet(const mesh::Facet& facet, std::span<double> tensor) {
     gather(facet.cell);
     const int local = facet.local;
     for (const Tabulate tabulate : facet_calls_) {
-        tabulate(tensor.data(), coefficients_.data(), constants_.data(), coordinates_.data(), &local, nullptr);
+        tabulate(tensor.data(), coefficients_.data(), constants_.data(), coordinates_.data(), &local,
+                 nullptr);
     }
 }
 

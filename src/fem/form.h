@@ -25,9 +25,10 @@ using Fields = std::map<std::string, Field>;
 
 class Form {
   public:
-    /// Binds by name; names that the kernel does not use are ignored. `rule` names the integrals of facet forms
-    /// (those everywhere are always taken). Throws std::logic_error for a name that is missing.
-    Form(Kernel kernel, const mesh::Mesh& mesh, const Constants& constants, const Fields& fields = {}, int rule = -1);
+    /// Binds by name; names that the kernel does not use are ignored. `rule` names the integrals of facet
+    /// forms (those everywhere are always taken). Throws std::logic_error for a name that is missing.
+    Form(Kernel kernel, const mesh::Mesh& mesh, const Constants& constants, const Fields& fields = {},
+         int rule = -1);
 
     /// Adds the tensor of one cell to `tensor` (row-major).
     void add_cell(std::int32_t cell, std::span<double> tensor);

@@ -27,7 +27,9 @@ std::vector<Integral> integrals_of(const ufcx_form& form, ufcx_integral_type typ
     return result;
 }
 
-std::vector<std::string> names(const char** list, int count) { return {list, list + count}; }
+std::vector<std::string> names(const char** list, int count) {
+    return {list, list + count};
+}
 
 Kernel describe(const std::string& name, const ufcx_form& form) {
 #if UFCX_BEFORE(0, 8)

@@ -7,7 +7,8 @@
 
 namespace thermocontact::fem {
 
-/// UFCx element kernel: adds to A [row-major], from all coefficients w, all constants c and the nodes x [n][3].
+/// UFCx element kernel: adds to A [row-major], from all coefficients w, all constants c and the nodes x
+/// [n][3].
 using Tabulate = void (*)(double* A, const double* w, const double* c, const double* x, const int* facet,
                           const std::uint8_t* permutation);
 
@@ -25,7 +26,8 @@ struct Kernel {
     std::vector<Integral> facets;
 };
 
-/// Looks `name` up among the linked kernels. Throws std::logic_error if it was not compiled for the cell and degree.
+/// Looks `name` up among the linked kernels. Throws std::logic_error if it was not compiled for the cell and
+/// degree.
 Kernel find_kernel(const std::string& name, const std::string& cell, int degree);
 
 /// "FFCx 0.5.0, UFL 2022.2.0; forms 0123456789abcdef": what the linked kernels came from.

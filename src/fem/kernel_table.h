@@ -1,4 +1,5 @@
-/* The compiled forms by name. The linked table is generated at build time; one loaded at run time has the same form. */
+/* The compiled forms by name. The linked table is generated at build time; one loaded at run time has the
+ * same form. */
 #pragma once
 
 #ifdef __cplusplus

@@ -12,7 +12,8 @@ class EdgeNumbering {
     explicit EdgeNumbering(std::int32_t first) : next_(first) {}
 
     std::int32_t operator()(std::int32_t p, std::int32_t q) {
-        const auto key = (static_cast<std::uint64_t>(std::min(p, q)) << 32U) | static_cast<std::uint64_t>(std::max(p, q));
+        const auto key =
+            (static_cast<std::uint64_t>(std::min(p, q)) << 32U) | static_cast<std::uint64_t>(std::max(p, q));
         const auto [entry, is_new] = numbers_.try_emplace(key, next_);
         next_ += is_new ? 1 : 0;
         return entry->second;
@@ -45,7 +46,8 @@ Dofmap number_nodes(const mesh::Mesh& mesh, const LagrangeElement& element) {
     return dofmap;
 }
 
-std::vector<mesh::Point> node_coordinates(const mesh::Mesh& mesh, const LagrangeElement& element, const Dofmap& dofmap) {
+std::vector<mesh::Point> node_coordinates(const mesh::Mesh& mesh, const LagrangeElement& element,
+                                          const Dofmap& dofmap) {
     std::vector<mesh::Point> coordinates(static_cast<std::size_t>(dofmap.node_count));
     for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
         const std::int32_t* vertices =

@@ -1,6 +1,7 @@
 /// Operators of the body by the name of their form.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -18,7 +19,8 @@ struct Assembler {
 
     fem::BlockMatrix operator()(const std::string& form, int rows, int columns) const {
         auto kernel = fem::find_kernel(form, mesh.cell, space.element.degree);
-        return fem::assemble_matrix({std::move(kernel), mesh, model::body_constants(scene)}, space, graph, rows, columns);
+        return fem::assemble_matrix({std::move(kernel), mesh, model::body_constants(scene)}, space, graph,
+                                    rows, columns);
     }
 
     /// Nothing for physics that is absent.
@@ -27,10 +29,14 @@ struct Assembler {
     }
 };
 
-/// matrix * x, or zeros [size] for an operator that is absent.
-inline std::vector<double> product(const std::optional<fem::BlockMatrix>& matrix, const std::vector<double>& x,
-                                   std::size_t size) {
-    return matrix ? matrix->multiply(x) : std::vector<double>(size, 0.0);
+/// result := matrix * x, or zeros for an operator that is absent; `result` has its size already.
+inline void product(const std::optional<fem::BlockMatrix>& matrix, const std::vector<double>& x,
+                    std::vector<double>& result) {
+    if (matrix) {
+        matrix->multiply(x, result);
+    } else {
+        std::ranges::fill(result, 0.0);
+    }
 }
 
 }  // namespace thermocontact::march

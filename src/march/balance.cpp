@@ -16,20 +16,24 @@ solve::CondensedSystem condense(const std::string& equation, const fem::BlockMat
                                 const model::Prescribed& prescribed, const std::vector<char>& contact_nodes,
                                 const fem::Space& space, double& seconds) {
     try {
-        return timed(seconds, [&] { return solve::CondensedSystem(matrix, prescribed.fixed(), contact_nodes); });
+        return timed(seconds,
+                     [&] { return solve::CondensedSystem(matrix, prescribed.fixed(), contact_nodes); });
     } catch (const solve::NotPositiveDefinite& failure) {
         const mesh::Point& x = space.nodes[static_cast<std::size_t>(failure.row / matrix.rows)];
-        throw NumericsError(equation + ": the system is singular or indefinite, seen at (" + short_text(x[0]) + ", " +
-                            short_text(x[1]) + ") component " + std::to_string(failure.row % matrix.rows) +
-                            "; the body may be free to move, or a tensor not positive; prescribe a value on a "
-                            "boundary, or add density (heat: capacity)");
+        throw NumericsError(
+            equation + ": the system is singular or indefinite, seen at (" + short_text(x[0]) + ", " +
+            short_text(x[1]) + ") component " + std::to_string(failure.row % matrix.rows) +
+            "; the body may be free to move, or a tensor not positive; prescribe a value on a "
+            "boundary, or add density (heat: capacity)");
     }
 }
 
-std::string failure_text(const Where& where, const solve::NewtonResult& first, const solve::ContinuationResult* ladder) {
-    std::string text = "step " + std::to_string(where.step) + ", t = " + short_text(where.time) + ": " + where.equation +
-                       ": Newton stopped after " + std::to_string(first.iterations) + " iterations (" +
-                       solve::describe(first.end) + ", relative residual " + short_text(first.residual) + ")";
+std::string failure_text(const Where& where, const solve::NewtonResult& first,
+                         const solve::ContinuationResult* ladder) {
+    std::string text = "step " + std::to_string(where.step) + ", t = " + short_text(where.time) + ": " +
+                       where.equation + ": Newton stopped after " + std::to_string(first.iterations) +
+                       " iterations (" + solve::describe(first.end) + ", relative residual " +
+                       short_text(first.residual) + ")";
     if (ladder != nullptr) {
         text += "; continuation in friction.regularisation stopped after " + std::to_string(ladder->rungs) +
                 " solves (" + solve::describe(ladder->newton.end) + ", relative residual " +
@@ -41,8 +45,8 @@ std::string failure_text(const Where& where, const solve::NewtonResult& first, c
 }  // namespace
 
 Balance::Balance(std::string equation, const scene::SolverSpec& options, fem::BlockMatrix matrix,
-                 model::Prescribed prescribed, const std::vector<char>& contact_nodes, model::FacetTerm contact,
-                 const fem::Space& space, std::vector<double>& unknown)
+                 model::Prescribed prescribed, const std::vector<char>& contact_nodes,
+                 model::FacetTerm contact, const fem::Space& space, std::vector<double>& unknown)
     : equation_(std::move(equation)),
       matrix_(std::move(matrix)),
       prescribed_(std::move(prescribed)),
@@ -67,7 +71,8 @@ void Balance::remove_prescribed(std::vector<double>& rhs) {
 
 SolveReport Balance::solve(int step, double time, std::vector<double>& rhs) {
     remove_prescribed(rhs);
-    const Eigen::VectorXd condensed = timed(seconds_.triangular_solves, [&] { return system_.condense(rhs); });
+    const Eigen::VectorXd condensed =
+        timed(seconds_.triangular_solves, [&] { return system_.condense(rhs); });
     Eigen::VectorXd x(condensed.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
         x[i] = (*unknown_)[static_cast<std::size_t>(system_.contact_dofs()[static_cast<std::size_t>(i)])];

@@ -24,12 +24,12 @@ class Balance {
   public:
     /// `unknown` is the trial field [dofs] that the contact term reads and solve() fills.
     /// Throws NumericsError where A is singular.
-    Balance(std::string equation, const scene::SolverSpec& options, fem::BlockMatrix matrix, model::Prescribed prescribed,
-            const std::vector<char>& contact_nodes, model::FacetTerm contact, const fem::Space& space,
-            std::vector<double>& unknown);
+    Balance(std::string equation, const scene::SolverSpec& options, fem::BlockMatrix matrix,
+            model::Prescribed prescribed, const std::vector<char>& contact_nodes, model::FacetTerm contact,
+            const fem::Space& space, std::vector<double>& unknown);
 
-    /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws NumericsError
-    /// if no solution is found, having tried Newton and continuation in the regularisation.
+    /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws
+    /// NumericsError if no solution is found, having tried Newton and continuation in the regularisation.
     SolveReport solve(int step, double time, std::vector<double>& rhs);
 
     const model::Prescribed& prescribed() const { return prescribed_; }

@@ -1,6 +1,7 @@
 /// The heat balance of one step (MODEL.md, 3): find theta_n with
 ///
-///   c (theta_n - theta_{n-1}, eta)/k + (K grad theta_n, grad eta) + int_C k_c(u_n.n - g) phi_L(theta_n - theta_F) eta
+///   c (theta_n - theta_{n-1}, eta)/k + (K grad theta_n, grad eta) + int_C k_c(u_n.n - g) phi_L(theta_n -
+///   theta_F) eta
 ///     = (q0, eta) + (heat flux, eta)_N + (R : eps(u_{n-1}), eta).
 #pragma once
 
@@ -14,13 +15,13 @@ namespace thermocontact::march {
 
 class Heat {
   public:
-    /// Assembles and factors for the step size k (s). The contact forms read the displacement of `state`, which must
-    /// keep its address. Throws NumericsError where the system is singular.
-    Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space, const fem::NodeGraph& graph,
-         const model::ContactSurfaces& surfaces, const State& state, double k);
+    /// Assembles and factors for the step size k (s). The contact forms read the displacement of `state`,
+    /// which must keep its address. Throws NumericsError where the system is singular.
+    Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
+         const fem::NodeGraph& graph, const model::ContactSurfaces& surfaces, const State& state, double k);
 
-    /// From theta_{n-1} to theta_n at `time`; the displacement of `state` is already the new one. The temperature
-    /// changes only if the solve succeeds. Throws NumericsError.
+    /// From theta_{n-1} to theta_n at `time`; the displacement of `state` is already the new one. The
+    /// temperature changes only if the solve succeeds. Throws NumericsError.
     SolveReport advance(int step, double time, State& state);
 
     /// Norm, and every term of the heat balance of the last step (MODEL.md, 6).
@@ -36,17 +37,19 @@ class Heat {
     StepSeconds seconds() const;
 
   private:
-    void audit(const std::vector<double>& load, const std::vector<double>& stored);
+    void audit(const std::vector<double>& load);
 
     double step_;
+    std::optional<double> capacity_density_;  ///< c
     std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_;
     fem::BlockMatrix gram_;
     model::Loads loads_;
-    std::vector<double> trial_;           ///< theta_n, which the contact forms read
-    std::vector<double> no_displacement_; ///< for contact forms of a scene without mechanics
+    std::vector<double> trial_;            ///< theta_n, which the contact forms read
+    std::vector<double> no_displacement_;  ///< for contact forms of a scene without mechanics
     std::unique_ptr<Balance> balance_;
-    std::vector<double> stored_;         ///< C theta_{n-1}
-    std::vector<double> strain_source_;  ///< R : eps(u_{n-1}), assembled
+    std::vector<double> stored_, new_stored_;  ///< C theta_{n-1} and C theta_n
+    std::vector<double> conducted_;            ///< K theta_n
+    std::vector<double> strain_source_;        ///< R : eps(u_{n-1}), assembled
     double audit_seconds_ = 0;
     Record record_;
     double heat_residual_ = 0;

@@ -9,8 +9,9 @@ namespace thermocontact::march {
 namespace {
 
 model::FacetTerm contact_term(const mesh::Mesh& mesh, const fem::Space& space, int dimension,
-                              const model::ContactSurfaces& surfaces, const std::vector<double>& old_displacement,
-                              std::vector<double>& velocity, double k) {
+                              const model::ContactSurfaces& surfaces,
+                              const std::vector<double>& old_displacement, std::vector<double>& velocity,
+                              double k) {
     model::FacetTerm term(space, dimension, velocity);
     for (const auto& surface : surfaces) {
         const fem::Fields fields{{"w", {&velocity, dimension, &space.dofmap}},
@@ -29,7 +30,8 @@ model::FacetTerm contact_term(const mesh::Mesh& mesh, const fem::Space& space, i
 
 /// A = rho M / k + V + k E.
 fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, double k,
-                               const std::optional<fem::BlockMatrix>& mass, const std::optional<fem::BlockMatrix>& damping,
+                               const std::optional<fem::BlockMatrix>& mass,
+                               const std::optional<fem::BlockMatrix>& damping,
                                const std::optional<fem::BlockMatrix>& stiffness) {
     fem::BlockMatrix matrix = fem::zero_matrix(graph, dimension, dimension);
     if (mass) {
@@ -46,8 +48,9 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, doubl
 
 }  // namespace
 
-Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space, const fem::NodeGraph& graph,
-                   const model::ContactSurfaces& surfaces, const State& initial, double k)
+Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
+                   const fem::NodeGraph& graph, const model::ContactSurfaces& surfaces, const State& initial,
+                   double k)
     : dimension_(scene.dimension),
       step_(k),
       density_(scene.material->density),
@@ -67,11 +70,25 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
         model::Prescribed::displacement(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::compliance),
         contact_term(mesh, space, d, surfaces, old_displacement_, trial_, k), space, trial_);
+    for (auto* compressible : {&mass_, &velocity_gram_}) {
+        if (*compressible) {
+            (*compressible)->compress();
+        }
+    }
+    thermal_.resize(trial_.size());
     restart(initial);
 }
 
+void Momentum::apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
+                     Products& products) const {
+    products.mass_w.resize(velocity.size());
+    products.stiffness_u.resize(displacement.size());
+    product(mass_, velocity, products.mass_w);
+    product(stiffness_, displacement, products.stiffness_u);
+}
+
 void Momentum::restart(const State& state) {
-    old_ = {product(mass_, state.velocity, trial_.size()), product(stiffness_, state.displacement, trial_.size())};
+    apply(state.velocity, state.displacement, old_);
 }
 
 std::vector<double> Momentum::right_hand_side(const std::vector<double>& load) const {
@@ -85,7 +102,7 @@ std::vector<double> Momentum::right_hand_side(const std::vector<double>& load) c
 
 SolveReport Momentum::advance(int step, double time, State& state) {
     const std::vector<double>& load = loads_.at(time);
-    thermal_ = product(coupling_, state.temperature, trial_.size());
+    product(coupling_, state.temperature, thermal_);
     std::vector<double> rhs = right_hand_side(load);
     std::vector<double> new_u = state.displacement;
     balance_->prescribed().apply(time, new_u);
@@ -107,40 +124,46 @@ SolveReport Momentum::advance(int step, double time, State& state) {
     return report;
 }
 
-MomentumForces Momentum::forces(const std::vector<double>& load, const Products& now) {
-    const std::size_t size = trial_.size();
-    MomentumForces forces;
-    forces.inertia = (as_eigen(now.mass_w) - as_eigen(std::as_const(old_.mass_w))) / step_;
-    forces.viscous = to_eigen(product(damping_, trial_, size));
-    forces.elastic = as_eigen(now.stiffness_u);
-    forces.thermal = as_eigen(thermal_);
-    forces.compliance = to_eigen(balance_->contact().nodal_forces("compliance"));
-    forces.friction = to_eigen(balance_->contact().nodal_forces("friction"));
-    forces.load = as_eigen(load);
-    forces.reaction.setZero(forces.load.size());
+void Momentum::collect_forces(const std::vector<double>& load) {
+    std::vector<double> viscous(trial_.size());
+    product(damping_, trial_, viscous);
+    forces_.inertia = (as_eigen(now_.mass_w) - as_eigen(old_.mass_w)) / step_;
+    forces_.viscous = as_eigen(viscous);
+    forces_.elastic = as_eigen(now_.stiffness_u);
+    forces_.thermal = as_eigen(thermal_);
+    forces_.compliance = to_eigen(balance_->contact().nodal_forces("compliance"));
+    forces_.friction = to_eigen(balance_->contact().nodal_forces("friction"));
+    forces_.load = as_eigen(load);
+    forces_.reaction.setZero(forces_.load.size());
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
-        forces.reaction[dof] = forces.inertia[dof] + forces.viscous[dof] + forces.elastic[dof] - forces.thermal[dof] +
-                               forces.compliance[dof] + forces.friction[dof] - forces.load[dof];
+        forces_.reaction[dof] = forces_.inertia[dof] + forces_.viscous[dof] + forces_.elastic[dof] -
+                                forces_.thermal[dof] + forces_.compliance[dof] + forces_.friction[dof] -
+                                forces_.load[dof];
     }
-    return forces;
 }
 
-Energies Momentum::energies(const State& old, const std::vector<double>& new_u, const Products& now) const {
+Energies Momentum::energies(const State& old, const std::vector<double>& new_u) const {
     const auto w = as_eigen(trial_), w_old = as_eigen(old.velocity);
     const auto u = as_eigen(new_u), u_old = as_eigen(old.displacement);
-    const auto mass_w = as_eigen(now.mass_w), mass_w_old = as_eigen(old_.mass_w);
-    const auto stiffness_u = as_eigen(now.stiffness_u), stiffness_u_old = as_eigen(old_.stiffness_u);
-    return {w_old.dot(mass_w_old) / 2, w.dot(mass_w) / 2,       (w - w_old).dot(mass_w - mass_w_old) / 2,
-            u_old.dot(stiffness_u_old) / 2, u.dot(stiffness_u) / 2, step_ * w.dot(stiffness_u - stiffness_u_old) / 2};
+    const auto mass_w = as_eigen(now_.mass_w), mass_w_old = as_eigen(old_.mass_w);
+    const auto stiffness_u = as_eigen(now_.stiffness_u), stiffness_u_old = as_eigen(old_.stiffness_u);
+    Energies result;
+    result.kinetic_old = w_old.dot(mass_w_old) / 2;
+    result.kinetic = w.dot(mass_w) / 2;
+    result.kinetic_numerical = (w - w_old).dot(mass_w - mass_w_old) / 2;
+    result.strain_old = u_old.dot(stiffness_u_old) / 2;
+    result.strain = u.dot(stiffness_u) / 2;
+    result.strain_numerical = step_ * w.dot(stiffness_u - stiffness_u_old) / 2;
+    return result;
 }
 
 void Momentum::audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u) {
-    Products now{product(mass_, trial_, trial_.size()), product(stiffness_, new_u, trial_.size())};
-    const MomentumForces nodal = forces(load, now);
-    const Energies energy_terms = energies(old, new_u, now);
-    const Audit energy = audit_energy(energy_terms, nodal, as_eigen(std::as_const(trial_)), step_);
-    const Audit force = audit_forces(nodal, dimension_);
-    old_ = std::move(now);
+    apply(trial_, new_u, now_);
+    collect_forces(load);
+    const Energies energy_terms = energies(old, new_u);
+    const Audit energy = audit_energy(energy_terms, forces_, as_eigen(std::as_const(trial_)), step_);
+    const Audit force = audit_forces(forces_, dimension_);
+    std::swap(old_, now_);
     energy_residual_ = energy.residual;
     force_residual_ = force.residual;
     // |w|^2 = 2 KE / rho spares a product

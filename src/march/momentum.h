@@ -16,11 +16,12 @@ namespace thermocontact::march {
 class Momentum {
   public:
     /// Assembles and factors for the step size k (s). Throws NumericsError where the system is singular.
-    Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space, const fem::NodeGraph& graph,
-             const model::ContactSurfaces& surfaces, const State& initial, double k);
+    Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
+             const fem::NodeGraph& graph, const model::ContactSurfaces& surfaces, const State& initial,
+             double k);
 
-    /// From the state at t_{n-1} to u_n and w_n at `time`; the temperature of `state` is the old one. The state changes
-    /// only if the solve succeeds. Throws NumericsError.
+    /// From the state at t_{n-1} to u_n and w_n at `time`; the temperature of `state` is the old one. The
+    /// state changes only if the solve succeeds. Throws NumericsError.
     SolveReport advance(int step, double time, State& state);
 
     /// Takes up a state that advance() did not produce: the initial one, or an earlier one after a failure.
@@ -41,13 +42,16 @@ class Momentum {
     StepSeconds seconds() const;
 
   private:
-    struct Products {  ///< operators applied to the state; zeros where absent
+    struct Products {  ///< operators applied to a state [nodes][components]; zeros where absent
         std::vector<double> mass_w, stiffness_u;
     };
 
+    void apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
+               Products& products) const;
+
     std::vector<double> right_hand_side(const std::vector<double>& load) const;
-    MomentumForces forces(const std::vector<double>& load, const Products& now);
-    Energies energies(const State& old, const std::vector<double>& new_u, const Products& now) const;
+    void collect_forces(const std::vector<double>& load);
+    Energies energies(const State& old, const std::vector<double>& new_u) const;
     void audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u);
 
     int dimension_;
@@ -59,7 +63,8 @@ class Momentum {
     model::Loads loads_;
     std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
     std::unique_ptr<Balance> balance_;
-    Products old_;
+    Products old_, now_;  ///< of the last state and of the one being computed
+    MomentumForces forces_;
     std::vector<double> thermal_;  ///< (theta_{n-1} M, eps(v)), assembled
     double audit_seconds_ = 0;
     Record record_;

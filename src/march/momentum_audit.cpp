@@ -23,7 +23,8 @@ double relative_difference(const Record& left, const Record& right, double extra
 
 }  // namespace
 
-Audit audit_energy(const Energies& energies, const MomentumForces& forces, const Eigen::VectorXd& velocity, double step) {
+Audit audit_energy(const Energies& energies, const MomentumForces& forces, const Eigen::VectorXd& velocity,
+                   double step) {
     const auto work = [&](const Eigen::VectorXd& force) { return step * velocity.dot(force); };
     const Record left{{"kinetic_energy", energies.kinetic},
                       {"strain_energy", energies.strain},
@@ -46,7 +47,8 @@ Audit audit_forces(const MomentumForces& forces, int components) {
     for (int c = 0; c < components; ++c) {
         const std::string axis(1, "xyz"[c]);
         const double inertia = component_sum(forces.inertia, components, c);
-        const double contact = component_sum(forces.compliance, components, c) + component_sum(forces.friction, components, c);
+        const double contact =
+            component_sum(forces.compliance, components, c) + component_sum(forces.friction, components, c);
         const double load = component_sum(forces.load, components, c);
         const double reaction = component_sum(forces.reaction, components, c);
         difference += std::abs(inertia + contact - load - reaction);

@@ -8,7 +8,8 @@
 namespace thermocontact::march {
 
 /// Nodal forces of the discrete balance [nodes][components]:
-/// inertia + viscous + elastic - thermal + compliance + friction - load = reaction (on prescribed dofs, else 0).
+/// inertia + viscous + elastic - thermal + compliance + friction - load = reaction (on prescribed dofs, else
+/// 0).
 struct MomentumForces {
     Eigen::VectorXd inertia, viscous, elastic, thermal, compliance, friction, load, reaction;
 };
@@ -25,9 +26,11 @@ struct Audit {
     double residual;
 };
 
-/// KE_n - KE_{n-1} + rho/2 |w_n - w_{n-1}|^2 + SE_n - SE_{n-1} + k^2/2 (E eps(w_n), eps(w_n)) + viscous + compliance
+/// KE_n - KE_{n-1} + rho/2 |w_n - w_{n-1}|^2 + SE_n - SE_{n-1} + k^2/2 (E eps(w_n), eps(w_n)) + viscous +
+/// compliance
 /// + friction = loads + thermal + reactions, each as work over the step.
-Audit audit_energy(const Energies& energies, const MomentumForces& forces, const Eigen::VectorXd& velocity, double step);
+Audit audit_energy(const Energies& energies, const MomentumForces& forces, const Eigen::VectorXd& velocity,
+                   double step);
 
 /// Per component: inertia + contact = loads + reactions.
 Audit audit_forces(const MomentumForces& forces, int components);

@@ -28,7 +28,8 @@ Simulation::Simulation(const scene::Scene& scene)
     const model::ContactState contact{scene.material ? &state_.displacement : &no_motion_,
                                       scene.material ? &state_.velocity : &no_motion_, &state_.temperature};
     for (const auto& surface : surfaces_) {
-        probes_.push_back(std::make_unique<model::ContactProbe>(*surface, mesh_, space_, scene.dimension, contact));
+        probes_.push_back(
+            std::make_unique<model::ContactProbe>(*surface, mesh_, space_, scene.dimension, contact));
     }
 }
 
@@ -92,11 +93,13 @@ StepSeconds Simulation::step_seconds() const {
 }
 
 std::int64_t Simulation::factor_entries() const {
-    return (momentum_ ? momentum_->balance().factor_entries() : 0) + (heat_ ? heat_->balance().factor_entries() : 0);
+    return (momentum_ ? momentum_->balance().factor_entries() : 0) +
+           (heat_ ? heat_->balance().factor_entries() : 0);
 }
 
 std::size_t Simulation::contact_unknowns() const {
-    return (momentum_ ? momentum_->balance().contact_unknowns() : 0) + (heat_ ? heat_->balance().contact_unknowns() : 0);
+    return (momentum_ ? momentum_->balance().contact_unknowns() : 0) +
+           (heat_ ? heat_->balance().contact_unknowns() : 0);
 }
 
 std::map<std::string, model::ContactMeasures> Simulation::contact_measures() {

@@ -21,20 +21,20 @@ struct Facet {
 
 struct Mesh {
     int dimension;
-    std::string cell;                        ///< "triangle"
-    std::vector<Point> points;               ///< vertices, m
+    std::string cell;           ///< "triangle"
+    std::vector<Point> points;  ///< vertices, m
     int vertices_per_cell;
-    std::vector<std::int32_t> cells;         ///< [cells][vertices_per_cell], Basix vertex order
-    std::vector<Facet> facets;               ///< exterior facets with a name, sorted by boundary
-    std::vector<std::string> boundary_names; ///< sorted
+    std::vector<std::int32_t> cells;          ///< [cells][vertices_per_cell], Basix vertex order
+    std::vector<Facet> facets;                ///< exterior facets with a name, sorted by boundary
+    std::vector<std::string> boundary_names;  ///< sorted
 
     std::int32_t cell_count() const {
         return static_cast<std::int32_t>(cells.size()) / static_cast<std::int32_t>(vertices_per_cell);
     }
 };
 
-/// The rectangle [lower, upper] in cells[0] x cells[1] squares, each cut along its right (lower left to upper right),
-/// left or both diagonals; boundaries bottom, left, right, top.
+/// The rectangle [lower, upper] in cells[0] x cells[1] squares, each cut along its right (lower left to upper
+/// right), left or both diagonals; boundaries bottom, left, right, top.
 Mesh make_rectangle(const scene::MeshSpec& spec);
 
 /// Names of the boundaries of a shape, sorted.

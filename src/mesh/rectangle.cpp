@@ -7,7 +7,8 @@ namespace {
 
 enum Side : std::int32_t { bottom, left, right, top };
 
-/// Numbering of the vertices of a grid of nx x ny squares: the grid row by row, then the midpoints of crossed squares.
+/// Numbering of the vertices of a grid of nx x ny squares: the grid row by row, then the midpoints of crossed
+/// squares.
 struct Grid {
     std::int32_t nx, ny;
     std::int32_t vertex(std::int32_t i, std::int32_t j) const { return j * (nx + 1) + i; }
@@ -17,7 +18,9 @@ struct Grid {
 std::vector<Point> grid_points(const Grid& grid, const scene::MeshSpec& spec) {
     const double hx = (spec.upper[0] - spec.lower[0]) / grid.nx;
     const double hy = (spec.upper[1] - spec.lower[1]) / grid.ny;
-    const auto at = [&](double i, double j) { return Point{spec.lower[0] + i * hx, spec.lower[1] + j * hy, 0.0}; };
+    const auto at = [&](double i, double j) {
+        return Point{spec.lower[0] + i * hx, spec.lower[1] + j * hy, 0.0};
+    };
     std::vector<Point> points;
     for (std::int32_t j = 0; j <= grid.ny; ++j) {
         for (std::int32_t i = 0; i <= grid.nx; ++i) {
@@ -44,7 +47,8 @@ std::vector<Point> grid_points(const Grid& grid, const scene::MeshSpec& spec) {
 using Triangle = std::array<std::int32_t, 3>;
 
 /// The triangles of square (i, j), with corners a b (lower) and c d (upper).
-std::vector<Triangle> triangles(const Grid& grid, std::int32_t i, std::int32_t j, const std::string& diagonal) {
+std::vector<Triangle> triangles(const Grid& grid, std::int32_t i, std::int32_t j,
+                                const std::string& diagonal) {
     const auto a = grid.vertex(i, j);
     const auto b = grid.vertex(i + 1, j);
     const auto c = grid.vertex(i, j + 1);
@@ -75,7 +79,8 @@ std::int32_t side_of(const Grid& grid, std::int32_t p, std::int32_t q) {
     return -1;
 }
 
-void append_facets(const Grid& grid, const Triangle& triangle, std::int32_t cell, std::vector<Facet>& facets) {
+void append_facets(const Grid& grid, const Triangle& triangle, std::int32_t cell,
+                   std::vector<Facet>& facets) {
     for (std::int32_t local = 0; local < 3; ++local) {
         // Basix: facet i of a triangle is opposite vertex i
         const auto p = triangle[static_cast<std::size_t>((local + 1) % 3)];

@@ -8,8 +8,8 @@
 
 namespace thermocontact::model {
 
-ContactProbe::ContactProbe(const ContactSurface& surface, const mesh::Mesh& mesh, const fem::Space& space, int dimension,
-                           const ContactState& state)
+ContactProbe::ContactProbe(const ContactSurface& surface, const mesh::Mesh& mesh, const fem::Space& space,
+                           int dimension, const ContactState& state)
     : surface_(&surface), space_(&space), dimension_(dimension) {
     const fem::Field displacement{state.displacement, dimension, &space.dofmap};
     const fem::Field velocity{state.velocity, dimension, &space.dofmap};
@@ -92,7 +92,8 @@ std::vector<double> ContactProbe::at_nodes(const std::string& name, int componen
         form(name).add_facet(facet, tensor);
         for (const int node : space_->element.facet_nodes[static_cast<std::size_t>(facet.local)]) {
             for (std::size_t i = 0; i < c; ++i) {
-                values.push_back(tensor[static_cast<std::size_t>(node) * c + i] / weights[static_cast<std::size_t>(node)]);
+                values.push_back(tensor[static_cast<std::size_t>(node) * c + i] /
+                                 weights[static_cast<std::size_t>(node)]);
             }
         }
     }

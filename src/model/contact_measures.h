@@ -34,17 +34,19 @@ using FacetFields = std::map<std::string, std::vector<double>>;
 
 class ContactProbe {
   public:
-    ContactProbe(const ContactSurface& surface, const mesh::Mesh& mesh, const fem::Space& space, int dimension,
-                 const ContactState& state);
+    ContactProbe(const ContactSurface& surface, const mesh::Mesh& mesh, const fem::Space& space,
+                 int dimension, const ContactState& state);
 
     ContactMeasures measure();
 
-    /// gap (m), slip_velocity (m/s), and, where the laws are present, pressure (Pa), traction (Pa), heat_flow (W/m^2).
+    /// gap (m), slip_velocity (m/s), and, where the laws are present, pressure (Pa), traction (Pa), heat_flow
+    /// (W/m^2).
     FacetFields fields();
 
   private:
     fem::Form& form(const std::string& name) { return *forms_.at(name); }
-    void add(const std::string& name, const mesh::Mesh& mesh, const fem::Constants& constants, const fem::Fields& fields);
+    void add(const std::string& name, const mesh::Mesh& mesh, const fem::Constants& constants,
+             const fem::Fields& fields);
     std::vector<double> at_nodes(const std::string& name, int components);
     double resultant(const std::string& name, int components);
 

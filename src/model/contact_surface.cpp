@@ -21,19 +21,29 @@ bool depends_on_time(const scene::Contact& laws) {
            (laws.conductance && laws.conductance->foundation_temperature.depends_on_time());
 }
 
-/// On intervals m Gauss points are exact to degree 2 m - 1: the rule of an even degree is that of the next odd one.
-int gauss_rule(int degree) { return degree == 0 ? 0 : degree | 1; }
+/// On intervals m Gauss points are exact to degree 2 m - 1: the rule of an even degree is that of the next
+/// odd one.
+int gauss_rule(int degree) {
+    return degree == 0 ? 0 : degree | 1;
+}
 
 }  // namespace
 
-ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mesh& mesh,
+                                      const fem::Space& space) {
     ContactSurfaces surfaces;
     for (const auto& [name, boundary] : scene.boundaries) {
         if (!boundary.contact) {
             continue;
         }
-        auto surface = std::make_unique<ContactSurface>(
-            ContactSurface{name, *boundary.contact, gauss_rule(boundary.contact->quadrature), facets_of(mesh, name), {}, {}, {}});
+        auto surface =
+            std::make_unique<ContactSurface>(ContactSurface{name,
+                                                            *boundary.contact,
+                                                            gauss_rule(boundary.contact->quadrature),
+                                                            facets_of(mesh, name),
+                                                            {},
+                                                            {},
+                                                            {}});
         surface->nodes = space.boundary_nodes(mesh, surface->facets.front().boundary);
         surface->gap.resize(space.nodes.size());
         if (surface->laws.conductance) {

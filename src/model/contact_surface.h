@@ -13,7 +13,8 @@ namespace thermocontact::model {
 struct ContactSurface {
     std::string name;
     scene::Contact laws;
-    int rule;  ///< of the contact forms: odd degree of a Gauss rule, or 0 for the rule at the nodes (forms/space.py)
+    int rule;  ///< of the contact forms: odd degree of a Gauss rule, or 0 for the rule at the nodes
+               ///< (forms/space.py)
     std::vector<mesh::Facet> facets;
     std::vector<std::int32_t> nodes;
     std::vector<double> gap;                     ///< g at the nodes of the space, m (zero off the surface)
@@ -24,14 +25,16 @@ struct ContactSurface {
 using ContactSurfaces = std::vector<std::unique_ptr<ContactSurface>>;
 
 /// All contact boundaries of the scene, fields at t = 0.
-ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space);
+ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mesh& mesh,
+                                      const fem::Space& space);
 
 /// Fields that depend on time, at time t (s).
 void update(ContactSurfaces& surfaces, const fem::Space& space, double t);
 
 /// [nodes]: 1 on surfaces whose law (a member of scene::Contact) is present.
 template <typename Law>
-std::vector<char> nodes_with(const ContactSurfaces& surfaces, const fem::Space& space, std::optional<Law> scene::Contact::*law) {
+std::vector<char> nodes_with(const ContactSurfaces& surfaces, const fem::Space& space,
+                             std::optional<Law> scene::Contact::*law) {
     std::vector<char> marked(space.nodes.size(), 0);
     for (const auto& surface : surfaces) {
         for (const std::int32_t node : surface->nodes) {

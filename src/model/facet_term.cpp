@@ -12,8 +12,8 @@ FacetTerm::FacetTerm(const fem::Space& space, int components, std::vector<double
 void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const ContactSurface& surface,
                     const fem::Constants& constants, const fem::Fields& fields) {
     const auto form = [&](const std::string& name) {
-        return std::make_unique<fem::Form>(fem::find_kernel(law + name, mesh.cell, space_->element.degree), mesh,
-                                           constants, fields, surface.rule);
+        return std::make_unique<fem::Form>(fem::find_kernel(law + name, mesh.cell, space_->element.degree),
+                                           mesh, constants, fields, surface.rule);
     };
     const bool rubs = law == "friction";
     laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"),

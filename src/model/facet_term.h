@@ -13,7 +13,8 @@ namespace thermocontact::model {
 
 class FacetTerm : public solve::NonlinearTerm {
   public:
-    /// `unknown` [nodes][components] is the field that the laws depend on; evaluate() writes the contact unknowns to it.
+    /// `unknown` [nodes][components] is the field that the laws depend on; evaluate() writes the contact
+    /// unknowns to it.
     FacetTerm(const fem::Space& space, int components, std::vector<double>& unknown);
 
     /// Adds one law on one surface: the forms "LAW.residual" and "LAW.jacobian".

@@ -47,8 +47,8 @@ Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fe
     return loads;
 }
 
-void Loads::add(const std::string& kernel, const std::string& coefficient, std::vector<scene::Expression> expressions,
-                std::vector<mesh::Facet> facets) {
+void Loads::add(const std::string& kernel, const std::string& coefficient,
+                std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets) {
     auto term = std::make_unique<Term>();
     term->expressions = std::move(expressions);
     term->nodal.resize(constant_.size());
@@ -67,8 +67,8 @@ void Loads::add(const std::string& kernel, const std::string& coefficient, std::
     }
     term->facets = std::move(facets);
     const fem::Fields fields{{coefficient, {&term->nodal, components_, &space_->dofmap}}};
-    term->form = std::make_unique<fem::Form>(fem::find_kernel(kernel, mesh_->cell, space_->element.degree), *mesh_,
-                                             fem::Constants{}, fields);
+    term->form = std::make_unique<fem::Form>(fem::find_kernel(kernel, mesh_->cell, space_->element.degree),
+                                             *mesh_, fem::Constants{}, fields);
     if (depends_on_time(term->expressions)) {
         varying_.push_back(std::move(term));
     } else {

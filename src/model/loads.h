@@ -30,8 +30,8 @@ class Loads {
     };
 
     Loads(const mesh::Mesh& mesh, const fem::Space& space, int components);
-    void add(const std::string& kernel, const std::string& coefficient, std::vector<scene::Expression> expressions,
-             std::vector<mesh::Facet> facets);
+    void add(const std::string& kernel, const std::string& coefficient,
+             std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets);
     void assemble(Term& term, double t, std::vector<double>& vector);
 
     const mesh::Mesh* mesh_;

@@ -14,8 +14,8 @@ void interpolate_at(const fem::Space& space, std::span<const scene::Expression> 
     }
 }
 
-std::vector<double> interpolate(const fem::Space& space, std::span<const scene::Expression> expressions, int components,
-                                double t) {
+std::vector<double> interpolate(const fem::Space& space, std::span<const scene::Expression> expressions,
+                                int components, double t) {
     std::vector<double> values(space.nodes.size() * static_cast<std::size_t>(components), 0.0);
     for (std::size_t n = 0; n < space.nodes.size(); ++n) {
         for (std::size_t c = 0; c < expressions.size(); ++c) {
@@ -29,12 +29,14 @@ bool depends_on_time(std::span<const scene::Expression> expressions) {
     return std::ranges::any_of(expressions, &scene::Expression::depends_on_time);
 }
 
-Prescribed Prescribed::displacement(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+Prescribed Prescribed::displacement(const scene::Scene& scene, const mesh::Mesh& mesh,
+                                    const fem::Space& space) {
     Prescribed result(space.nodes.size() * static_cast<std::size_t>(scene.dimension));
     for (const auto& [name, boundary] : scene.boundaries) {
         for (std::size_t c = 0; c < boundary.displacement.size(); ++c) {
             if (boundary.displacement[c]) {
-                result.add(mesh, space, name, scene.dimension, static_cast<int>(c), *boundary.displacement[c]);
+                result.add(mesh, space, name, scene.dimension, static_cast<int>(c),
+                           *boundary.displacement[c]);
             }
         }
     }
@@ -42,7 +44,8 @@ Prescribed Prescribed::displacement(const scene::Scene& scene, const mesh::Mesh&
     return result;
 }
 
-Prescribed Prescribed::temperature(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+Prescribed Prescribed::temperature(const scene::Scene& scene, const mesh::Mesh& mesh,
+                                   const fem::Space& space) {
     Prescribed result(space.nodes.size());
     for (const auto& [name, boundary] : scene.boundaries) {
         if (boundary.temperature) {
@@ -53,11 +56,12 @@ Prescribed Prescribed::temperature(const scene::Scene& scene, const mesh::Mesh& 
     return result;
 }
 
-void Prescribed::add(const mesh::Mesh& mesh, const fem::Space& space, const std::string& boundary, int components,
-                     int component, const scene::Expression& expression) {
+void Prescribed::add(const mesh::Mesh& mesh, const fem::Space& space, const std::string& boundary,
+                     int components, int component, const scene::Expression& expression) {
     const auto index = std::ranges::find(mesh.boundary_names, boundary) - mesh.boundary_names.begin();
     for (const std::int32_t node : space.boundary_nodes(mesh, static_cast<std::int32_t>(index))) {
-        values_.push_back({node * components + component, space.nodes[static_cast<std::size_t>(node)], expression});
+        values_.push_back(
+            {node * components + component, space.nodes[static_cast<std::size_t>(node)], expression});
         fixed_[static_cast<std::size_t>(values_.back().dof)] = 1;
     }
 }

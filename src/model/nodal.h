@@ -10,8 +10,8 @@
 namespace thermocontact::model {
 
 /// Values [nodes][components] of the expressions at time t; zero where `expressions` is empty.
-std::vector<double> interpolate(const fem::Space& space, std::span<const scene::Expression> expressions, int components,
-                                double t);
+std::vector<double> interpolate(const fem::Space& space, std::span<const scene::Expression> expressions,
+                                int components, double t);
 
 /// The same at the listed nodes only, into `values`.
 void interpolate_at(const fem::Space& space, std::span<const scene::Expression> expressions,
@@ -23,7 +23,8 @@ bool depends_on_time(std::span<const scene::Expression> expressions);
 class Prescribed {
   public:
     /// Displacement components of all boundaries that prescribe them.
-    static Prescribed displacement(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space);
+    static Prescribed displacement(const scene::Scene& scene, const mesh::Mesh& mesh,
+                                   const fem::Space& space);
 
     /// Temperature of all boundaries that prescribe it.
     static Prescribed temperature(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space);
@@ -31,8 +32,8 @@ class Prescribed {
     /// [dofs]: 1 where a value is prescribed.
     const std::vector<char>& fixed() const { return fixed_; }
 
-    /// Writes the values at time t into `values` [dofs]. Boundaries apply in order of their names; the later one has
-    /// the shared nodes.
+    /// Writes the values at time t into `values` [dofs]. Boundaries apply in order of their names; the later
+    /// one has the shared nodes.
     void apply(double t, std::vector<double>& values) const;
 
     /// The prescribed dofs, each once.
@@ -46,8 +47,8 @@ class Prescribed {
     };
 
     Prescribed(std::size_t dof_count) : fixed_(dof_count, 0) {}
-    void add(const mesh::Mesh& mesh, const fem::Space& space, const std::string& boundary, int components, int component,
-             const scene::Expression& expression);
+    void add(const mesh::Mesh& mesh, const fem::Space& space, const std::string& boundary, int components,
+             int component, const scene::Expression& expression);
     void finish();
 
     std::vector<char> fixed_;

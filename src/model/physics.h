@@ -12,7 +12,8 @@ namespace thermocontact::model {
 /// Names of the physics present, in the order of the forms: "inertia", "elasticity", ..., "conductance".
 std::vector<std::string> physics_of(const scene::Scene& scene);
 
-/// Constants of the forms of the body; those of absent laws are zero, for the forms that sum several (stress).
+/// Constants of the forms of the body; those of absent laws are zero, for the forms that sum several
+/// (stress).
 fem::Constants body_constants(const scene::Scene& scene);
 
 /// Constants of the contact forms of one boundary, `step` being k in u = u_old + k w.

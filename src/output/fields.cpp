@@ -20,16 +20,20 @@ VtkCell vtk_body_cell(int degree) {
     return degree == 1 ? VtkCell{5, {0, 1, 2}} : VtkCell{22, {0, 1, 2, 5, 3, 4}};
 }
 
-VtkCell vtk_facet_cell(int degree) { return degree == 1 ? VtkCell{3, {0, 1}} : VtkCell{21, {0, 1, 2}}; }
+VtkCell vtk_facet_cell(int degree) {
+    return degree == 1 ? VtkCell{3, {0, 1}} : VtkCell{21, {0, 1, 2}};
+}
 
-/// The array of that name, made with zeros [points][components] if it is new: surfaces without the law keep them.
+/// The array of that name, made with zeros [points][components] if it is new: surfaces without the law keep
+/// them.
 VtuArray& array_in(VtuGrid& grid, const std::string& name, int components) {
     const auto found = std::ranges::find(grid.point_data, name, &VtuArray::name);
     if (found != grid.point_data.end()) {
         return *found;
     }
     const std::size_t points = grid.points.size() / 3;
-    grid.point_data.push_back({name, components, std::vector<double>(points * static_cast<std::size_t>(components), 0.0)});
+    grid.point_data.push_back(
+        {name, components, std::vector<double>(points * static_cast<std::size_t>(components), 0.0)});
     return grid.point_data.back();
 }
 
@@ -59,7 +63,8 @@ FieldGrids::FieldGrids(const scene::Scene& scene, march::Simulation& simulation)
       has_contact_(wants("contact") && !simulation.surfaces().empty()) {
     if (scene.material && (wants("stress") || wants("von_mises"))) {
         const march::State& state = simulation.state();
-        stress_.emplace(scene, simulation.mesh(), simulation.space(), state.displacement, state.velocity, state.temperature);
+        stress_.emplace(scene, simulation.mesh(), simulation.space(), state.displacement, state.velocity,
+                        state.temperature);
     }
 }
 
@@ -82,7 +87,8 @@ VtuGrid FieldGrids::body() {
     VtuGrid grid = body_cells();
     const march::State& state = simulation_->state();
     if (scene_->material && wants("displacement")) {
-        grid.point_data.push_back({"displacement", 3, three_components(state.displacement, scene_->dimension)});
+        grid.point_data.push_back(
+            {"displacement", 3, three_components(state.displacement, scene_->dimension)});
     }
     if (scene_->material && wants("velocity")) {
         grid.point_data.push_back({"velocity", 3, three_components(state.velocity, scene_->dimension)});
@@ -129,7 +135,9 @@ void FieldGrids::add_surface(std::size_t index, VtuGrid& grid, std::size_t first
     const double epsilon = surface.laws.friction ? surface.laws.friction->regularisation : -1.0;
     for (std::size_t i = 0; i < count; ++i) {
         const double speed = norm(&fields["slip_velocity"][i * d], d);
-        grid.point_integers.front().values[first + i] = fields["gap"][i] > 0 ? open : speed > epsilon ? slip : stick;
+        grid.point_integers.front().values[first + i] = fields["gap"][i] > 0 ? open
+                                                        : speed > epsilon    ? slip
+                                                                             : stick;
     }
     if (!scene_->material) {
         fields.erase("slip_velocity");
@@ -138,7 +146,8 @@ void FieldGrids::add_surface(std::size_t index, VtuGrid& grid, std::size_t first
         const bool is_vector = name == "slip_velocity" || name == "traction";
         const std::vector<double> stored = is_vector ? three_components(values, scene_->dimension) : values;
         VtuArray& array = array_in(grid, name, is_vector ? 3 : 1);
-        std::ranges::copy(stored, array.values.begin() + static_cast<std::ptrdiff_t>(first) * array.components);
+        std::ranges::copy(stored,
+                          array.values.begin() + static_cast<std::ptrdiff_t>(first) * array.components);
     }
 }
 
@@ -147,7 +156,8 @@ VtuGrid FieldGrids::contact() {
     grid.point_integers.push_back({"state", std::vector<std::int32_t>(grid.points.size() / 3)});
     std::size_t first = 0;
     for (std::size_t i = 0; i < simulation_->surfaces().size(); ++i) {
-        const std::size_t count = simulation_->surfaces()[i]->facets.size() * static_cast<std::size_t>(grid.nodes_per_cell);
+        const std::size_t count =
+            simulation_->surfaces()[i]->facets.size() * static_cast<std::size_t>(grid.nodes_per_cell);
         add_surface(i, grid, first, count);
         first += count;
     }

@@ -37,7 +37,8 @@ void make_folder(const std::filesystem::path& folder) {
         throw SystemError("cannot make the output folder " + folder.string() + ": " + failure.message());
     }
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-        throw SystemError("cannot write to the output folder " + folder.string() + ": " + std::strerror(errno));
+        throw SystemError("cannot write to the output folder " + folder.string() + ": " +
+                          std::strerror(errno));
     }
 }
 

@@ -22,7 +22,9 @@ std::string bar(double share) {
            std::string(static_cast<std::size_t>(bar_width - filled), '.') + "]";
 }
 
-std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+std::string percent(double share) {
+    return std::to_string(std::lround(100 * share)) + " %";
+}
 
 double value_in(const march::Record& record, const std::string& name) {
     for (const auto& [key, value] : record) {
@@ -51,13 +53,13 @@ void Progress::header(const march::Simulation& simulation) const {
     if (!scene_->title.empty()) {
         std::cerr << "scene     " << scene_->title << "\n";
     }
-    std::cerr << "mesh      " << simulation.mesh().cell_count() << " cells, " << simulation.mesh().points.size()
-              << " vertices, degree " << scene_->degree << "\n"
+    std::cerr << "mesh      " << simulation.mesh().cell_count() << " cells, "
+              << simulation.mesh().points.size() << " vertices, degree " << scene_->degree << "\n"
               << "unknowns  " << state.displacement.size() << " displacement, " << state.temperature.size()
               << " temperature\n"
               << "physics   " << physics << "\n"
-              << "time      " << scene_->time.steps << " steps to t = " << short_text(scene_->time.end) << ", "
-              << scene_->time.scheme << "\n"
+              << "time      " << scene_->time.steps << " steps to t = " << short_text(scene_->time.end)
+              << ", " << scene_->time.scheme << "\n"
               << "solver    condensed: " << strategy_reason(*scene_, simulation) << "\n";
 }
 
@@ -71,15 +73,17 @@ void Progress::step(march::Simulation& simulation) {
     const march::State& state = simulation.state();
     const double share = static_cast<double>(state.step) / scene_->time.steps;
     const march::Record record = simulation.record();
-    std::string text = "step " + std::to_string(state.step) + "/" + std::to_string(scene_->time.steps) +
-                       "  t = " + short_text(state.time) + "  Newton " +
-                       short_text(value_in(record, "newton_iterations") + value_in(record, "heat_iterations"));
+    std::string text =
+        "step " + std::to_string(state.step) + "/" + std::to_string(scene_->time.steps) +
+        "  t = " + short_text(state.time) + "  Newton " +
+        short_text(value_in(record, "newton_iterations") + value_in(record, "heat_iterations"));
     if (!simulation.surfaces().empty()) {
         text += "  contact " + percent(value_in(record, "contact_fraction"));
     }
     text += "  " + short_text(std::round(10 * now * (1 - share) / share) / 10) + " s left";
     if (terminal_) {
-        std::cerr << "\r\033[K" << bar(share) << " " << text << (simulation.finished() ? "\n" : "") << std::flush;
+        std::cerr << "\r\033[K" << bar(share) << " " << text << (simulation.finished() ? "\n" : "")
+                  << std::flush;
     } else {
         std::cerr << text << "\n";
     }

@@ -1,4 +1,5 @@
-/// What a person sees while a run goes on: a header, then one live line (a line now and then where there is no terminal).
+/// What a person sees while a run goes on: a header, then one live line (a line now and then where there is
+/// no terminal).
 #pragma once
 
 #include <string>

@@ -86,7 +86,8 @@ void Results::add_fields() {
 }
 
 void Results::finish(const std::string& status, const std::string& reason, const Seconds& seconds) {
-    write_whole(folder_ / "summary.json", summary(*scene_, *simulation_, status, reason, seconds).dump(2) + "\n");
+    write_whole(folder_ / "summary.json",
+                summary(*scene_, *simulation_, status, reason, seconds).dump(2) + "\n");
 }
 
 }  // namespace thermocontact::output

@@ -17,7 +17,8 @@ struct Seconds {
 
 class Results {
   public:
-    /// Makes the folder and clears the results of an earlier run from it. Throws SystemError if it is not writable.
+    /// Makes the folder and clears the results of an earlier run from it. Throws SystemError if it is not
+    /// writable.
     Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation);
 
     /// Appends the step's row to history.csv; writes its fields when they are due. Throws SystemError.
@@ -26,7 +27,8 @@ class Results {
     /// Writes the fields of the current state if add_step() did not: the last step, whatever `output.every`.
     void add_fields();
 
-    /// Writes summary.json; `status` is "completed", "failed" or "interrupted", `reason` empty when completed.
+    /// Writes summary.json; `status` is "completed", "failed" or "interrupted", `reason` empty when
+    /// completed.
     void finish(const std::string& status, const std::string& reason, const Seconds& seconds);
 
   private:

@@ -23,12 +23,10 @@ Json final_state(march::Simulation& simulation) {
     }
     result["contact"] = Json::object();
     for (const auto& [name, measures] : simulation.contact_measures()) {
-        result["contact"][name] = {{"normal_force", measures.normal_force},
-                                   {"tangential_force", measures.tangential_force},
-                                   {"max_penetration", measures.max_penetration},
-                                   {"contact_fraction", measures.contact_fraction},
-                                   {"slip_fraction", measures.slip_fraction},
-                                   {"heat_flow", measures.heat_flow}};
+        result["contact"][name] = {
+            {"normal_force", measures.normal_force},       {"tangential_force", measures.tangential_force},
+            {"max_penetration", measures.max_penetration}, {"contact_fraction", measures.contact_fraction},
+            {"slip_fraction", measures.slip_fraction},     {"heat_flow", measures.heat_flow}};
     }
     return result;
 }
@@ -73,7 +71,8 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     result["newton"] = {{"iterations", totals.iterations},
                         {"max_iterations_in_a_step", totals.max_iterations_in_a_step},
                         {"retries", totals.retries}};
-    result["audit"] = {{"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
+    result["audit"] = {
+        {"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
     const march::StepSeconds parts = simulation.step_seconds();
     result["seconds"] = {{"setup", seconds.setup},
                          {"factor", seconds.factor},

@@ -8,8 +8,8 @@
 
 namespace thermocontact::output {
 
-nlohmann::ordered_json summary(const scene::Scene& scene, march::Simulation& simulation, const std::string& status,
-                               const std::string& reason, const Seconds& seconds);
+nlohmann::ordered_json summary(const scene::Scene& scene, march::Simulation& simulation,
+                               const std::string& status, const std::string& reason, const Seconds& seconds);
 
 /// Why the strategy was chosen, for header and summary.
 std::string strategy_reason(const scene::Scene& scene, const march::Simulation& simulation);

@@ -38,12 +38,14 @@ std::string encode(const std::vector<Number>& values) {
 }
 
 template <typename Number>
-std::string data_array(const std::string& name, const char* type, int components, const std::vector<Number>& values) {
+std::string data_array(const std::string& name, const char* type, int components,
+                       const std::vector<Number>& values) {
     return "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
            std::to_string(components) + "\" format=\"binary\">" + encode(values) + "</DataArray>\n";
 }
 
-std::string data_section(const char* tag, const std::vector<VtuArray>& arrays, const std::vector<VtuIntegers>& integers) {
+std::string data_section(const char* tag, const std::vector<VtuArray>& arrays,
+                         const std::vector<VtuIntegers>& integers) {
     std::string text = std::string("<") + tag + ">\n";
     for (const VtuArray& array : arrays) {
         text += data_array(array.name, "Float64", array.components, array.values);
@@ -63,11 +65,13 @@ std::string to_vtu(const VtuGrid& grid) {
         offsets[i] = static_cast<std::int64_t>(i + 1) * grid.nodes_per_cell;
     }
     return "<?xml version=\"1.0\"?>\n"
-           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\">\n"
            "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-           std::to_string(grid.points.size() / 3) + "\" NumberOfCells=\"" + std::to_string(cells) + "\">\n<Points>\n" +
-           data_array("Points", "Float64", 3, grid.points) + "</Points>\n<Cells>\n" +
-           data_array("connectivity", "Int64", 1, grid.connectivity) + data_array("offsets", "Int64", 1, offsets) +
+           std::to_string(grid.points.size() / 3) + "\" NumberOfCells=\"" + std::to_string(cells) +
+           "\">\n<Points>\n" + data_array("Points", "Float64", 3, grid.points) + "</Points>\n<Cells>\n" +
+           data_array("connectivity", "Int64", 1, grid.connectivity) +
+           data_array("offsets", "Int64", 1, offsets) +
            data_array("types", "UInt8", 1, std::vector<std::uint8_t>(cells, grid.cell_type)) + "</Cells>\n" +
            data_section("PointData", grid.point_data, grid.point_integers) +
            data_section("CellData", grid.cell_data, grid.cell_integers) +
@@ -79,8 +83,8 @@ std::string to_pvd(const std::vector<PvdEntry>& entries) {
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
         "<Collection>\n";
     for (const PvdEntry& entry : entries) {
-        text += "<DataSet timestep=\"" + exact_text(entry.time) + "\" group=\"\" part=\"" + std::to_string(entry.part) +
-                "\" file=\"" + entry.file + "\"/>\n";
+        text += "<DataSet timestep=\"" + exact_text(entry.time) + "\" group=\"\" part=\"" +
+                std::to_string(entry.part) + "\" file=\"" + entry.file + "\"/>\n";
     }
     return text + "</Collection>\n</VTKFile>\n";
 }

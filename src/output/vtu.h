@@ -20,8 +20,8 @@ struct VtuIntegers {
 
 /// One grid of cells of one type.
 struct VtuGrid {
-    std::vector<double> points;              ///< [points][3]
-    std::uint8_t cell_type;                  ///< VTK's number
+    std::vector<double> points;  ///< [points][3]
+    std::uint8_t cell_type;      ///< VTK's number
     int nodes_per_cell;
     std::vector<std::int64_t> connectivity;  ///< [cells][nodes_per_cell], VTK's order of nodes
     std::vector<VtuArray> point_data, cell_data;

@@ -34,7 +34,8 @@ std::vector<std::int32_t> order_interior(const fem::NodeGraph& graph, const std:
     }
     SymmetricMatrix pattern{static_cast<std::int32_t>(nodes.size()), {0}, {}, {}};
     for (const std::int32_t node : nodes) {
-        const auto begin = graph.offsets[static_cast<std::size_t>(node)], end = graph.offsets[static_cast<std::size_t>(node) + 1];
+        const auto begin = graph.offsets[static_cast<std::size_t>(node)],
+                   end = graph.offsets[static_cast<std::size_t>(node) + 1];
         for (auto i = begin; i < end; ++i) {
             const auto other = graph.columns[static_cast<std::size_t>(i)];
             if (other >= node && index[static_cast<std::size_t>(other)] >= 0) {
@@ -44,13 +45,15 @@ std::vector<std::int32_t> order_interior(const fem::NodeGraph& graph, const std:
         pattern.offsets.push_back(static_cast<std::int32_t>(pattern.rows.size()));
     }
     std::vector<std::int32_t> order = nested_dissection(pattern);
-    std::ranges::transform(order, order.begin(), [&](std::int32_t i) { return nodes[static_cast<std::size_t>(i)]; });
+    std::ranges::transform(order, order.begin(),
+                           [&](std::int32_t i) { return nodes[static_cast<std::size_t>(i)]; });
     return order;
 }
 
-/// Lower triangle of A over the free unknowns; those of contact nodes couple densely, so that they end as one block.
-SymmetricMatrix reduce(const fem::BlockMatrix& matrix, const FreeDofs& free, const std::vector<std::int32_t>& tail,
-                       const std::vector<char>& contact) {
+/// Lower triangle of A over the free unknowns; those of contact nodes couple densely, so that they end as one
+/// block.
+SymmetricMatrix reduce(const fem::BlockMatrix& matrix, const FreeDofs& free,
+                       const std::vector<std::int32_t>& tail, const std::vector<char>& contact) {
     const fem::NodeGraph& graph = *matrix.graph;
     const auto b = static_cast<std::size_t>(matrix.rows);
     SymmetricMatrix result{static_cast<std::int32_t>(free.dofs.size()), {0}, {}, {}};
@@ -63,14 +66,16 @@ SymmetricMatrix reduce(const fem::BlockMatrix& matrix, const FreeDofs& free, con
         const auto dof = static_cast<std::size_t>(free.dofs[static_cast<std::size_t>(column)]);
         const std::size_t node = dof / b, c = dof % b;
         const bool in_tail = contact[node] != 0;
-        for (auto i = static_cast<std::size_t>(graph.offsets[node]); i < static_cast<std::size_t>(graph.offsets[node + 1]); ++i) {
+        for (auto i = static_cast<std::size_t>(graph.offsets[node]);
+             i < static_cast<std::size_t>(graph.offsets[node + 1]); ++i) {
             const auto other = static_cast<std::size_t>(graph.columns[i]);
             for (std::size_t r = 0; r < b; ++r) {
                 const std::int32_t row = free.index[other * b + r];
                 if (row < column) {
                     continue;
                 }
-                // by symmetry, row node's blocks serve as column node's: A[other, r][node, c] = A[node, c][other, r]
+                // by symmetry, row node's blocks serve as column node's: A[other, r][node, c] = A[node,
+                // c][other, r]
                 const double value = matrix.values[(i * b + c) * b + r];
                 if (in_tail && contact[other] != 0) {
                     dense[static_cast<std::size_t>(row)] = value;
@@ -133,8 +138,8 @@ CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vect
     }
     order.insert(order.end(), tail.begin(), tail.end());
 
-    // A body that only contact holds has a singular A but regular A_ii: a shift of A_cc, taken back from S, lets the
-    // factorisation pass and changes nothing else.
+    // A body that only contact holds has a singular A but regular A_ii: a shift of A_cc, taken back from S,
+    // lets the factorisation pass and changes nothing else.
     SymmetricMatrix reduced = reduce(matrix, free, tail, contact);
     const double shift = mean_diagonal(reduced, tail);
     for (const std::int32_t row : tail) {

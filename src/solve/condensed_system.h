@@ -1,15 +1,14 @@
 /// A symmetric positive definite system reduced to its contact unknowns (MODEL.md, 5).
 ///
-/// With the contact unknowns c ordered last, A = L L^T gives the Schur complement S = A_cc - A_ci A_ii^-1 A_ic and, for
-/// a right-hand side r, the condensed s = r_c - A_ci A_ii^-1 r_i by one forward solve. A nonlinear F_c(x_c) then leaves
-/// S x_c + F_c(x_c) = s, and one backward solve gives x_i.
+/// With the contact unknowns c ordered last, A = L L^T gives the Schur complement S = A_cc - A_ci A_ii^-1
+/// A_ic and, for a right-hand side r, the condensed s = r_c - A_ci A_ii^-1 r_i by one forward solve. A
+/// nonlinear F_c(x_c) then leaves S x_c + F_c(x_c) = s, and one backward solve gives x_i.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "fem/block_matrix.h"
 #include "solve/panel_factor.h"
@@ -18,9 +17,10 @@ namespace thermocontact::solve {
 
 class CondensedSystem {
   public:
-    /// `fixed` [dofs] marks prescribed unknowns, which drop out; `contact` [nodes] marks the nodes whose other unknowns
-    /// are kept. Throws NotPositiveDefinite with the dof at fault.
-    CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed, const std::vector<char>& contact);
+    /// `fixed` [dofs] marks prescribed unknowns, which drop out; `contact` [nodes] marks the nodes whose
+    /// other unknowns are kept. Throws NotPositiveDefinite with the dof at fault.
+    CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
+                    const std::vector<char>& contact);
 
     /// Dofs of the contact unknowns, in the order of S.
     const std::vector<std::int32_t>& contact_dofs() const { return contact_dofs_; }

@@ -12,8 +12,9 @@ constexpr int most_rungs = 200;
 
 }  // namespace
 
-ContinuationResult continue_regularisation(const std::function<NewtonResult(double floor, Eigen::VectorXd& x)>& solve,
-                                           double start, double target, Eigen::VectorXd& x) {
+ContinuationResult continue_regularisation(
+    const std::function<NewtonResult(double floor, Eigen::VectorXd& x)>& solve, double start, double target,
+    Eigen::VectorXd& x) {
     double floor = std::max(start, target);
     double factor = tightening;
     double solved = 0;  // the rung that x solves; none yet

@@ -1,5 +1,5 @@
-/// Continuation in the friction regularisation: where Newton fails for a small epsilon, the step is solved for a large
-/// one, which is tightened rung by rung, each solve starting from the last (MODEL.md, 5).
+/// Continuation in the friction regularisation: where Newton fails for a small epsilon, the step is solved
+/// for a large one, which is tightened rung by rung, each solve starting from the last (MODEL.md, 5).
 #pragma once
 
 #include <functional>
@@ -13,10 +13,11 @@ struct ContinuationResult {
     int rungs;            ///< solves made
 };
 
-/// `solve(floor, x)` solves with every regularisation raised to at least `floor`, from x. The ladder starts at `start`
-/// from the value in x, and each rung is a tenth of the one before; a rung that fails is tried again closer to the last.
-/// Ends with floor = target, or with the failure.
-ContinuationResult continue_regularisation(const std::function<NewtonResult(double floor, Eigen::VectorXd& x)>& solve,
-                                           double start, double target, Eigen::VectorXd& x);
+/// `solve(floor, x)` solves with every regularisation raised to at least `floor`, from x. The ladder starts
+/// at `start` from the value in x, and each rung is a tenth of the one before; a rung that fails is tried
+/// again closer to the last. Ends with floor = target, or with the failure.
+ContinuationResult continue_regularisation(
+    const std::function<NewtonResult(double floor, Eigen::VectorXd& x)>& solve, double start, double target,
+    Eigen::VectorXd& x);
 
 }  // namespace thermocontact::solve

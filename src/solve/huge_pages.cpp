@@ -23,6 +23,8 @@ void* allocate_huge(std::size_t bytes) {
     return memory;
 }
 
-void release(void* memory) { std::free(memory); }
+void release(void* memory) {
+    std::free(memory);
+}
 
 }  // namespace thermocontact::solve

@@ -1,4 +1,5 @@
-/// Memory for the factors in large pages: fewer page faults when they are made, fewer TLB misses when they are read.
+/// Memory for the factors in large pages: fewer page faults when they are made, fewer TLB misses when they
+/// are read.
 #pragma once
 
 #include <cstddef>

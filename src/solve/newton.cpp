@@ -8,7 +8,7 @@ namespace {
 constexpr int max_halvings = 20;
 constexpr double sufficient_decrease = 1e-4;  ///< Armijo's constant
 constexpr double kept_factors_rate = 0.1;     ///< the least contraction that makes old factors worth keeping
-constexpr double smallest_pivot = 1e-14;       ///< of the largest entry in its row; below is round-off
+constexpr double smallest_pivot = 1e-14;      ///< of the largest entry in its row; below is round-off
 
 }  // namespace
 
@@ -62,7 +62,8 @@ void Newton::polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, Nonlinea
     }
 }
 
-NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x) {
+NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
+                           Eigen::VectorXd& x) {
     Residual current = residual(S, s, F, x);
     bool fresh = false;
     for (int iteration = 0;; ++iteration) {

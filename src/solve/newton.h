@@ -37,14 +37,16 @@ struct NewtonResult {
 /// "the line search found no descent", for messages.
 const char* describe(NewtonEnd end);
 
-/// Solves one condensed problem after another with the same S. The factors of the last derivative are kept and used
-/// again for as long as they still cut the residual tenfold an iteration, which near a solution they nearly always do.
+/// Solves one condensed problem after another with the same S. The factors of the last derivative are kept
+/// and used again for as long as they still cut the residual tenfold an iteration, which near a solution they
+/// nearly always do.
 class Newton {
   public:
     explicit Newton(NewtonOptions options) : options_(options) {}
 
     /// From the start value in x to the solution; x is the last iterate if that fails.
-    NewtonResult solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x);
+    NewtonResult solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
+                       Eigen::VectorXd& x);
 
     /// Derivatives factored so far.
     int factorisations() const { return factorisations_; }
@@ -56,11 +58,13 @@ class Newton {
         double relative;
     };
 
-    /// One more update with the factors at hand, taken if it lowers the residual: it costs little and brings the solution
-    /// from the tolerance down to round-off.
-    void polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x, Residual& current);
+    /// One more update with the factors at hand, taken if it lowers the residual: it costs little and brings
+    /// the solution from the tolerance down to round-off.
+    void polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x,
+                Residual& current);
 
-    Residual residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, const Eigen::VectorXd& x);
+    Residual residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
+                      const Eigen::VectorXd& x);
     bool factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x);
 
     NewtonOptions options_;

@@ -1,14 +1,14 @@
 /// A sparse Cholesky factor stored for streaming: the triangular solves read each number of L once, in order.
 ///
-/// CHOLMOD computes L; its own solves call BLAS on many small panels and reach a third of the memory bandwidth.
-/// Here the columns of each supernode lie in groups of four without the rows above the diagonal, one after another.
+/// CHOLMOD computes L; its own solves call BLAS on many small panels and reach a third of the memory
+/// bandwidth. Here the columns of each supernode lie in groups of four without the rows above the diagonal,
+/// one after another.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "solve/huge_pages.h"
 
@@ -29,14 +29,15 @@ struct NotPositiveDefinite {
 
 class PanelFactor {
   public:
-    /// Factors A with the fill-reducing `order` (order[i] = row of A that comes i-th); the last `tail` rows of the
-    /// order stay last as a set, and couple densely. Throws NotPositiveDefinite, or std::bad_alloc.
+    /// Factors A with the fill-reducing `order` (order[i] = row of A that comes i-th); the last `tail` rows
+    /// of the order stay last as a set, and couple densely. Throws NotPositiveDefinite, or std::bad_alloc.
     PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order, std::int32_t tail);
 
     /// order()[i]: row of A that is i-th in the factor (`order` refined).
     const std::vector<std::int32_t>& order() const { return order_; }
 
-    /// x := L_ii^-1 x_i on the head; the tail becomes x_t - L_ti x_i, the right-hand side of the Schur complement.
+    /// x := L_ii^-1 x_i on the head; the tail becomes x_t - L_ti x_i, the right-hand side of the Schur
+    /// complement.
     void forward(std::vector<double>& x);
 
     /// Head of x := L_ii^-T (x_i - L_ti^T x_t), given the tail.
@@ -67,7 +68,8 @@ class PanelFactor {
     std::vector<double> buffer_;  ///< one panel's rows of the vector
 };
 
-/// Orders the nodes of an undirected graph (lower triangle by compressed columns) by nested dissection (METIS).
+/// Orders the nodes of an undirected graph (lower triangle by compressed columns) by nested dissection
+/// (METIS).
 std::vector<std::int32_t> nested_dissection(const SymmetricMatrix& graph);
 
 }  // namespace thermocontact::solve

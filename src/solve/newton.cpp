@@ -1,6 +1,7 @@
 #include "solve/newton.h"
 
 #include <cmath>
+#include <limits>
 
 namespace thermocontact::solve {
 namespace {
@@ -8,6 +9,7 @@ namespace {
 constexpr int max_halvings = 20;
 constexpr double sufficient_decrease = 1e-4;  ///< Armijo's constant
 constexpr double kept_factors_rate = 0.1;     ///< the least contraction that makes old factors worth keeping
+constexpr double most_round_off = 1000;       ///< tolerances that round-off may take, never more
 constexpr double smallest_pivot = 1e-14;      ///< of the largest entry in its row; below is round-off
 
 }  // namespace
@@ -47,6 +49,12 @@ bool Newton::factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::Vec
     const auto pivots = factors_.matrixLU().diagonal().cwiseAbs().array();
     has_factors_ = (pivots > smallest_pivot * scale.array()).all();
     return has_factors_;
+}
+
+bool Newton::is_round_off(const Eigen::VectorXd& x, const Residual& current) const {
+    const Eigen::VectorXd noise = derivative_.cwiseAbs() * x.cwiseAbs();
+    return current.norm <= std::numeric_limits<double>::epsilon() * noise.norm() &&
+           current.relative <= most_round_off * options_.tolerance;
 }
 
 void Newton::polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x,
@@ -93,7 +101,9 @@ NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, N
         double length = 1.0;
         for (int halving = 0;; ++halving, length /= 2) {
             if (halving == max_halvings) {
-                return {NewtonEnd::line_search_failed, iteration, current.relative};
+                const bool done = is_round_off(x, current);
+                return {done ? NewtonEnd::converged : NewtonEnd::line_search_failed, iteration,
+                        current.relative};
             }
             Eigen::VectorXd candidate = x + length * direction;
             Residual next = residual(S, s, F, candidate);

@@ -58,6 +58,11 @@ class Newton {
         double relative;
     };
 
+    /// Whether the residual is what rounding x perturbs it by, eps |T| |x| with T the current derivative:
+    /// friction of stiffness mu p / epsilon magnifies the last bit of a slip velocity, and no iterate can be
+    /// better.
+    bool is_round_off(const Eigen::VectorXd& x, const Residual& current) const;
+
     /// One more update with the factors at hand, taken if it lowers the residual: it costs little and brings
     /// the solution from the tolerance down to round-off.
     void polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x,

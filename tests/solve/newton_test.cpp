@@ -1,0 +1,267 @@
+#include "solve/newton.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "solve/continuation.h"
+#include "support/dense.h"
+
+namespace thermocontact::solve {
+namespace {
+
+/// F_i(x) = f(x_i), with f' as given: right or wrong.
+class Componentwise : public NonlinearTerm {
+  public:
+    using Function = std::function<double(double)>;
+    Componentwise(Function f, Function derivative) : f_(std::move(f)), derivative_(std::move(derivative)) {}
+
+    void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override { value = x.unaryExpr(f_); }
+    void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) override {
+        matrix.diagonal() += x.unaryExpr(derivative_);
+    }
+
+  private:
+    Function f_, derivative_;
+};
+
+constexpr NewtonOptions options{1e-12, 50};
+
+Eigen::MatrixXd identity(int n) { return Eigen::MatrixXd::Identity(n, n); }
+
+/// 4 x 4, symmetric positive definite, smallest eigenvalue above 1.
+Eigen::MatrixXd stiffness() {
+    Eigen::MatrixXd S = Eigen::MatrixXd::Constant(4, 4, 0.5);
+    S.diagonal() << 3, 4, 5, 6;
+    return S;
+}
+
+TEST(Newton, LinearProblemsTakeOneIterationAndOneFactorisation) {
+    Componentwise F([](double x) { return 2 * x; }, [](double) { return 2.0; });
+    Newton newton(options);
+    for (int round = 1; round <= 3; ++round) {
+        const Eigen::VectorXd expected = round * Eigen::Vector4d(1, -2, 3, 0.5);
+        const Eigen::VectorXd s = stiffness() * expected + 2 * expected;
+        Eigen::VectorXd x = Eigen::Vector4d::Zero();
+        const NewtonResult result = newton.solve(stiffness(), s, F, x);
+        EXPECT_EQ(result.end, NewtonEnd::converged);
+        EXPECT_EQ(result.iterations, 1);
+        EXPECT_LE(result.residual, options.tolerance);
+        EXPECT_LE((x - expected).norm(), 1e-14 * round * 10);
+    }
+    EXPECT_EQ(newton.factorisations(), 1) << "the factors of the first round serve the others";
+}
+
+TEST(Newton, NothingToDo) {
+    Componentwise F([](double x) { return x * x; }, [](double x) { return 2 * x; });
+    Eigen::VectorXd x = Eigen::Vector4d(1, 2, 3, 4);
+    const Eigen::VectorXd s = stiffness() * x + x.cwiseProduct(x);
+    Newton newton(options);
+    EXPECT_EQ(newton.solve(stiffness(), s, F, x).iterations, 0);
+    EXPECT_EQ(x, Eigen::VectorXd(Eigen::Vector4d(1, 2, 3, 4)));
+    EXPECT_EQ(newton.factorisations(), 0);
+    x.setZero();
+    EXPECT_EQ(newton.solve(stiffness(), Eigen::Vector4d::Zero(), F, x).end, NewtonEnd::converged) << "0 = 0";
+}
+
+/// S x + x^2 = s with a known solution. The relative residual 1e-12 is of terms of size |s|; the derivative's smallest
+/// singular value is above 1 there.
+TEST(Newton, QuadraticProblem) {
+    Componentwise F([](double x) { return x * x; }, [](double x) { return 2 * x; });
+    const Eigen::VectorXd expected = Eigen::Vector4d(1, 2, 0.3, 4);
+    const Eigen::VectorXd s = stiffness() * expected + expected.cwiseProduct(expected);
+    for (const double start : {0.0, 1.0, 100.0}) {
+        Eigen::VectorXd x = Eigen::Vector4d::Constant(start);
+        Newton newton(options);
+        const NewtonResult result = newton.solve(stiffness(), s, F, x);
+        ASSERT_EQ(result.end, NewtonEnd::converged) << start;
+        EXPECT_LE((x - expected).norm(), 4 * options.tolerance * s.norm());
+        // from 100: halved some 6 times, then squared 5 times; kept factors add a few
+        EXPECT_LE(result.iterations, 20);
+        EXPECT_LE(newton.factorisations(), result.iterations);
+    }
+}
+
+/// Newton alone diverges on atan from |x| > 1.39; the line search brings it home.
+TEST(Newton, LineSearchTamesAtan) {
+    Componentwise F([](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); });
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(1, 20.0);
+    const NewtonResult result = Newton(options).solve(1e-6 * identity(1), Eigen::VectorXd::Constant(1, 0.5), F, x);
+    ASSERT_EQ(result.end, NewtonEnd::converged);
+    EXPECT_NEAR(1e-6 * x[0] + std::atan(x[0]), 0.5, 1e-12);
+}
+
+struct Failure {
+    std::string name;
+    NewtonEnd end;
+    double stiffness;
+    std::function<double(double)> f, derivative;
+    int max_iterations;
+    int iterations;  ///< made before the end
+};
+
+const std::vector<Failure> failures{
+    {"too_many_iterations", NewtonEnd::too_many_iterations, 1, [](double x) { return x * x * x; }, [](double x) { return 3 * x * x; }, 1, 1},
+    {"no_iteration_allowed", NewtonEnd::too_many_iterations, 1, [](double) { return 0.0; }, [](double) { return 0.0; }, 0, 0},
+    {"ascent_direction", NewtonEnd::line_search_failed, 1, [](double) { return 0.0; }, [](double) { return -2.0; }, 50, 0},
+    {"not_a_number", NewtonEnd::not_finite, 1, [](double) { return std::nan(""); }, [](double) { return 0.0; }, 50, 0},
+    {"infinite", NewtonEnd::not_finite, 1, [](double) { return std::numeric_limits<double>::infinity(); }, [](double) { return 0.0; }, 50, 0},
+    {"singular", NewtonEnd::singular, 0, [](double) { return 0.0; }, [](double) { return 0.0; }, 50, 0},
+    {"cancelled_to_singular", NewtonEnd::singular, 1, [](double) { return 0.0; }, [](double) { return -1.0; }, 50, 0}};
+
+class NewtonFailures : public testing::TestWithParam<Failure> {};
+
+TEST_P(NewtonFailures, AreNamed) {
+    const Failure& failure = GetParam();
+    Componentwise F(failure.f, failure.derivative);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(2);
+    Newton newton({1e-12, failure.max_iterations});
+    const NewtonResult result = newton.solve(failure.stiffness * identity(2), Eigen::Vector2d(1, 2), F, x);
+    EXPECT_EQ(result.end, failure.end);
+    EXPECT_EQ(result.iterations, failure.iterations);
+    EXPECT_FALSE(result.residual <= 1e-12);
+    EXPECT_NE(std::string(describe(result.end)), "");
+    EXPECT_NE(std::string(describe(result.end)), describe(NewtonEnd::converged));
+    EXPECT_EQ(x == Eigen::VectorXd(Eigen::Vector2d::Zero()), failure.iterations == 0) << "x is the last iterate";
+}
+
+INSTANTIATE_TEST_SUITE_P(Ends, NewtonFailures, testing::ValuesIn(failures), [](const auto& info) { return info.param.name; });
+
+/// After a failure (here: singular) the same object solves the next problem.
+TEST(Newton, RecoversAfterAFailure) {
+    Newton newton(options);
+    Componentwise bad([](double) { return 0.0; }, [](double) { return -1.0; }), good([](double x) { return x; }, [](double) { return 1.0; });
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(2);
+    EXPECT_EQ(newton.solve(identity(2), Eigen::Vector2d(1, 2), bad, x).end, NewtonEnd::singular);
+    EXPECT_EQ(newton.solve(identity(2), Eigen::Vector2d(1, 2), good, x).end, NewtonEnd::converged);
+    EXPECT_LE((x - Eigen::Vector2d(0.5, 1)).norm(), 1e-14);
+}
+
+/// Coulomb friction of one unknown: mu x / sqrt(x^2 + eps^2), eps >= floor.
+struct Friction {
+    double bound, epsilon;
+    Componentwise raised(double floor) const {
+        const double b = bound, e = std::max(floor, epsilon);
+        return {[=](double x) { return b * x / std::hypot(x, e); },
+                [=](double x) { return b * e * e / std::pow(std::hypot(x, e), 3); }};
+    }
+};
+
+struct Rubbing {
+    std::string name;
+    double start, load;
+};
+
+/// x + sign_eps(x) = load with eps = 1e-12: it sticks for |load| < 1, x = eps load / sqrt(1 - load^2) up to eps^2, and
+/// slips with x = load - 1 beyond.
+class Ladder : public testing::TestWithParam<Rubbing> {
+  protected:
+    const Friction friction{1.0, 1e-12};
+    const double load = GetParam().load;
+    Newton newton{options};
+    std::vector<double> floors;
+    ContinuationResult climb(double start, Eigen::VectorXd& x) {
+        const auto rung = [&](double floor, Eigen::VectorXd& value) {
+            floors.push_back(floor);
+            Componentwise F = friction.raised(floor);
+            return newton.solve(identity(1), Eigen::VectorXd::Constant(1, load), F, value);
+        };
+        return continue_regularisation(rung, start, friction.epsilon, x);
+    }
+};
+
+TEST_P(Ladder, SolvesWhereNewtonAloneFails) {
+    Componentwise F = friction.raised(0);
+    Eigen::VectorXd alone = Eigen::VectorXd::Constant(1, GetParam().start);
+    EXPECT_NE(Newton(options).solve(identity(1), Eigen::VectorXd::Constant(1, load), F, alone).end, NewtonEnd::converged)
+        << "the case needs no ladder";
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(1, GetParam().start);
+    const ContinuationResult result = climb(1.0, x);
+    ASSERT_EQ(result.newton.end, NewtonEnd::converged);
+    EXPECT_EQ(result.rungs, static_cast<int>(floors.size()));
+    EXPECT_EQ(floors.front(), 1.0);
+    EXPECT_EQ(floors.back(), friction.epsilon);
+    EXPECT_GE(result.newton.iterations, result.rungs) << "the sum over the rungs";
+    const double share = x[0] / std::hypot(x[0], friction.epsilon);
+    EXPECT_NEAR(x[0] + share, load, options.tolerance * (2 + std::abs(load)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Loads, Ladder,
+                         testing::Values(Rubbing{"sticks", 1.0, 0.5}, Rubbing{"sticks_backwards", 2.0, -0.7},
+                                         Rubbing{"nearly_slips", -1.0, 0.999}, Rubbing{"reverses", 1.0, -3.0}),
+                         [](const auto& info) { return info.param.name; });
+
+/// A solve that never succeeds ends the ladder at its first rung, and leaves x alone.
+TEST(Continuation, CannotSucceed) {
+    int calls = 0;
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(1, 3.0);
+    const auto result = continue_regularisation(
+        [&](double, Eigen::VectorXd& value) {
+            ++calls;
+            value[0] = 99;
+            return NewtonResult{NewtonEnd::line_search_failed, 7, 0.5};
+        },
+        1.0, 1e-12, x);
+    EXPECT_EQ(result.newton.end, NewtonEnd::line_search_failed);
+    EXPECT_EQ(result.newton.iterations, 7);
+    EXPECT_EQ(result.rungs, 1);
+    EXPECT_EQ(calls, 1);
+    EXPECT_EQ(x[0], 3.0);
+}
+
+/// A wall at 1e-3: the ladder comes close to it from above, by ever smaller strides, and ends with the last value solved.
+TEST(Continuation, EndsAtAWall) {
+    double lowest = 1;
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(1, 3.0);
+    const auto result = continue_regularisation(
+        [&](double floor, Eigen::VectorXd& value) {
+            value[0] = floor;
+            if (floor < 1e-3) {
+                return NewtonResult{NewtonEnd::too_many_iterations, 50, 0.5};
+            }
+            lowest = std::min(lowest, floor);
+            return NewtonResult{NewtonEnd::converged, 2, 1e-13};
+        },
+        1.0, 1e-12, x);
+    EXPECT_EQ(result.newton.end, NewtonEnd::too_many_iterations);
+    EXPECT_LT(lowest, 1.2e-3);
+    EXPECT_EQ(x[0], lowest);
+    EXPECT_LE(result.rungs, 200);
+}
+
+/// Rungs that fail at a tenth are tried again closer, and the ladder still arrives.
+TEST(Continuation, ShortensItsStride) {
+    double last = 1;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(1);
+    const auto result = continue_regularisation(
+        [&](double floor, Eigen::VectorXd&) {
+            if (floor < 0.3 * last) {
+                return NewtonResult{NewtonEnd::line_search_failed, 1, 0.5};
+            }
+            last = floor;
+            return NewtonResult{NewtonEnd::converged, 1, 1e-13};
+        },
+        1.0, 1e-4, x);
+    EXPECT_EQ(result.newton.end, NewtonEnd::converged);
+    EXPECT_EQ(last, 1e-4);
+    EXPECT_GE(result.rungs, 8) << "ln 1e-4 / ln 0.3 = 7.6";
+}
+
+/// A start below the target is the target: one solve.
+TEST(Continuation, StartBelowTheTarget) {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(1);
+    std::vector<double> floors;
+    const auto result = continue_regularisation(
+        [&](double floor, Eigen::VectorXd&) {
+            floors.push_back(floor);
+            return NewtonResult{NewtonEnd::converged, 1, 0};
+        },
+        0.0, 1e-2, x);
+    EXPECT_EQ(result.rungs, 1);
+    EXPECT_EQ(floors, std::vector<double>{1e-2});
+}
+
+}  // namespace
+}  // namespace thermocontact::solve

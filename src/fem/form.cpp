@@ -31,7 +31,6 @@ std::vector<Tabulate> select(const std::vector<Integral>& integrals, int rule) {
 Form::Form(Kernel kernel, const mesh::Mesh& mesh, const Constants& constants, const Fields& fields, int rule)
     : kernel_(std::move(kernel)),
       mesh_(&mesh),
-      rule_(rule),
       cell_calls_(select(kernel_.cells, rule)),
       facet_calls_(select(kernel_.facets, rule)),
       coordinates_(static_cast<std::size_t>(3 * mesh.vertices_per_cell)) {

@@ -46,7 +46,6 @@ class Form {
 
     Kernel kernel_;
     const mesh::Mesh* mesh_;
-    int rule_;
     std::vector<Tabulate> cell_calls_, facet_calls_;
     std::vector<double> constants_;
     std::map<std::string, std::size_t> constant_offsets_;

@@ -26,12 +26,25 @@ void write_row(std::ofstream& file, const march::Record& record, bool names) {
     file << row << '\n' << std::flush;
 }
 
+/// Removes what an earlier run left, and nothing else.
+void clear(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (const char* file : {"summary.json", "history.csv", "fields.pvd"}) {
+        std::filesystem::remove(folder / file, ignored);
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "fields", ignored)) {
+        if (entry.path().extension() == ".vtu") {
+            std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+}
+
 }  // namespace
 
 Results::Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation)
     : folder_(std::move(folder)), scene_(&scene), simulation_(&simulation), grids_(scene, simulation) {
     make_folder(folder_);
-    clear();
+    clear(folder_);
     history_.open(folder_ / "history.csv", std::ios::trunc);
     if (!history_) {
         throw SystemError("cannot write " + (folder_ / "history.csv").string());
@@ -39,18 +52,6 @@ Results::Results(std::filesystem::path folder, const scene::Scene& scene, march:
     if (!scene.output.fields.empty()) {
         make_folder(folder_ / "fields");
         add_fields();
-    }
-}
-
-void Results::clear() const {
-    std::error_code ignored;
-    for (const char* file : {"summary.json", "history.csv", "fields.pvd"}) {
-        std::filesystem::remove(folder_ / file, ignored);
-    }
-    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "fields", ignored)) {
-        if (entry.path().extension() == ".vtu") {
-            std::filesystem::remove(entry.path(), ignored);
-        }
     }
 }
 
@@ -88,6 +89,17 @@ void Results::add_fields() {
 void Results::finish(const std::string& status, const std::string& reason, const Seconds& seconds) {
     write_whole(folder_ / "summary.json",
                 summary(*scene_, *simulation_, status, reason, seconds).dump(2) + "\n");
+}
+
+void write_setup_failure(const std::filesystem::path& folder, const scene::Scene& scene,
+                         const std::string& reason) {
+    clear(folder);
+    const nlohmann::ordered_json summary{{"status", "failed"},
+                                         {"version", version_text()},
+                                         {"reason", reason},
+                                         {"scene", scene.resolved},
+                                         {"steps", 0}};
+    write_whole(folder / "summary.json", summary.dump(2) + "\n");
 }
 
 }  // namespace thermocontact::output

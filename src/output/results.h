@@ -32,8 +32,6 @@ class Results {
     void finish(const std::string& status, const std::string& reason, const Seconds& seconds);
 
   private:
-    void clear() const;
-
     std::filesystem::path folder_;
     const scene::Scene* scene_;
     march::Simulation* simulation_;
@@ -42,5 +40,9 @@ class Results {
     std::vector<PvdEntry> entries_;
     int last_fields_ = -1;
 };
+
+/// summary.json of a run that ended before its first step, in place of the results of an earlier run.
+void write_setup_failure(const std::filesystem::path& folder, const scene::Scene& scene,
+                         const std::string& reason);
 
 }  // namespace thermocontact::output

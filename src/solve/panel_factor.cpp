@@ -4,6 +4,7 @@
 #include <cmath>
 #include <new>
 #include <numeric>
+#include <ranges>
 
 #include "solve/cholmod.h"
 
@@ -47,7 +48,7 @@ bool keeps_tail(const cholmod_factor& factor, std::span<const std::int32_t> orde
 /// group are too short for the hardware prefetcher, but groups follow each other in memory.
 void prefetch(const char* position) {
     for (int line = 0; line < 4; ++line) {
-        __builtin_prefetch(position + 64 * line);
+        __builtin_prefetch(position + std::ptrdiff_t{64} * line);
     }
 }
 
@@ -244,21 +245,21 @@ void PanelFactor::forward(std::vector<double>& x) {
 }
 
 void PanelFactor::backward(std::vector<double>& x) {
-    for (auto panel = panels_.rbegin(); panel != panels_.rend(); ++panel) {
+    for (const Panel& panel : std::ranges::reverse_view(panels_)) {
         double* local = buffer_.data();
-        const std::int32_t below = panel->rows - panel->columns;
-        const std::int32_t* rows = rows_.data() + panel->below;
-        std::copy_n(x.data() + panel->first_column, panel->columns, local);
+        const std::int32_t below = panel.rows - panel.columns;
+        const std::int32_t* rows = rows_.data() + panel.below;
+        std::copy_n(x.data() + panel.first_column, panel.columns, local);
         for (std::int32_t r = 0; r < below; ++r) {
-            local[panel->columns + r] = x[static_cast<std::size_t>(rows[r])];
+            local[panel.columns + r] = x[static_cast<std::size_t>(rows[r])];
         }
-        const double* L = values_.data() + panel->values + stored(panel->columns, panel->rows);
-        for (std::int32_t c = (panel->columns - 1) / group * group; c >= 0; c -= group) {
-            const std::int32_t width = std::min(group, panel->columns - c);
-            L -= static_cast<std::ptrdiff_t>(width) * (panel->rows - c);
-            solve_group_transposed(L, width, panel->rows - c, local + c);
+        const double* L = values_.data() + panel.values + stored(panel.columns, panel.rows);
+        for (std::int32_t c = (panel.columns - 1) / group * group; c >= 0; c -= group) {
+            const std::int32_t width = std::min(group, panel.columns - c);
+            L -= static_cast<std::ptrdiff_t>(width) * (panel.rows - c);
+            solve_group_transposed(L, width, panel.rows - c, local + c);
         }
-        std::copy_n(local, panel->columns, x.data() + panel->first_column);
+        std::copy_n(local, panel.columns, x.data() + panel.first_column);
     }
 }
 

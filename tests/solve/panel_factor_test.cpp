@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "support/dense.h"
-#include "support/scenes.h"
 
 namespace thermocontact::solve {
 namespace {
@@ -46,10 +45,12 @@ Eigen::MatrixXd random_positive(int size, int entries_a_row) {
 
 /// Mass plus stiffness of a square, as a step has it.
 Eigen::MatrixXd finite_elements() {
-    const support::Discretisation at("mesh.cells = [6, 5]\ntime = {end = 1, steps = 1}\nheat.capacity = 1\n");
+    const mesh::Mesh mesh = mesh::make_rectangle({"rectangle", {0, 0}, {1, 1}, {6, 5}, "right"});
+    const fem::Space space = fem::make_space(mesh, 1);
+    const fem::NodeGraph graph = fem::make_node_graph(space);
     const fem::Constants constants{{"rho", {1.0}}, {"E", {6, 2, 0.4, 2, 4, -0.3, 0.4, -0.3, 1.5}}};
     const auto matrix = [&](const char* name) {
-        return fem::assemble_matrix({fem::find_kernel(name, "triangle", 1), at.mesh, constants}, at.space, at.graph, 2, 2);
+        return fem::assemble_matrix({fem::find_kernel(name, "triangle", 1), mesh, constants}, space, graph, 2, 2);
     };
     fem::BlockMatrix sum = matrix("inertia.mass");
     sum.add(0.1, matrix("elasticity.stiffness"));

@@ -28,6 +28,9 @@ inline Eigen::VectorXd as_vector(const std::vector<double>& values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+/// Of dynamic size: GCC 12 warns falsely of fixed-size vectors in its own AVX-512 intrinsics.
+inline Eigen::VectorXd vector(std::initializer_list<double> values) { return as_vector(values); }
+
 inline std::vector<double> as_std(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
 
 /// Numbers in (-1, 1), the same in every run.

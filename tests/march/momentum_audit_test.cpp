@@ -1,0 +1,87 @@
+#include "march/momentum_audit.h"
+
+#include <gtest/gtest.h>
+
+#include "support/dense.h"
+
+namespace thermocontact::march {
+namespace {
+
+using support::vector;
+
+/// One node with two components, numbers chosen to balance.
+MomentumForces balanced() {
+    MomentumForces forces;
+    forces.inertia = vector({1, -2});
+    forces.viscous = vector({0.5, 0.25});
+    forces.elastic = vector({2, 3});
+    forces.thermal = vector({0.25, -1});
+    forces.compliance = vector({0, 4});
+    forces.friction = vector({0.75, 0});
+    forces.load = vector({3, 1});
+    forces.reaction = forces.inertia + forces.viscous + forces.elastic - forces.thermal + forces.compliance +
+                      forces.friction - forces.load;
+    return forces;
+}
+
+constexpr double step = 0.5;
+const Eigen::VectorXd velocity = vector({2, -1});
+
+/// Energies whose change is the work of inertia and elasticity over the step.
+Energies energies_of(const MomentumForces& forces) {
+    Energies energies;
+    energies.kinetic_old = 3;
+    energies.strain_old = 2;
+    energies.kinetic_numerical = 0.125;
+    energies.strain_numerical = 0.25;
+    energies.kinetic = 3 - 0.125 + step * velocity.dot(forces.inertia);
+    energies.strain = 2 - 0.25 + step * velocity.dot(forces.elastic);
+    return energies;
+}
+
+TEST(EnergyAudit, VanishesWhereTheForcesBalance) {
+    const MomentumForces forces = balanced();
+    EXPECT_LE(audit_energy(energies_of(forces), forces, velocity, step).residual, 1e-15);
+}
+
+TEST(EnergyAudit, SeesEveryTerm) {
+    const MomentumForces forces = balanced();
+    const Energies energies = energies_of(forces);
+    for (double Energies::*term : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical, &Energies::strain_old,
+                                   &Energies::strain, &Energies::strain_numerical}) {
+        Energies wrong = energies;
+        wrong.*term += 0.01;
+        EXPECT_GT(audit_energy(wrong, forces, velocity, step).residual, 1e-4);
+    }
+    for (Eigen::VectorXd MomentumForces::*term : {&MomentumForces::viscous, &MomentumForces::thermal, &MomentumForces::compliance,
+                                                  &MomentumForces::friction, &MomentumForces::load, &MomentumForces::reaction}) {
+        MomentumForces wrong = forces;
+        (wrong.*term)[0] += 0.01;
+        EXPECT_GT(audit_energy(energies, wrong, velocity, step).residual, 1e-4);
+    }
+}
+
+TEST(ForceAudit, SumsEachComponent) {
+    MomentumForces forces;
+    for (Eigen::VectorXd MomentumForces::*term : {&MomentumForces::viscous, &MomentumForces::elastic, &MomentumForces::thermal}) {
+        forces.*term = vector({1, 2, -1, -2});  // internal forces sum to zero
+    }
+    forces.inertia = vector({1, 2, 3, 4});
+    forces.compliance = vector({0, 5, 0, 5});
+    forces.friction = vector({-2, 0, -2, 0});
+    forces.load = vector({4, 0, 0, 6});
+    forces.reaction = vector({0, 0, -4, 10});
+    const Audit audit = audit_forces(forces, 2);
+    EXPECT_EQ(audit.residual, 0.0);
+    const Record expected{{"inertia_force_x", 4}, {"contact_force_x", -4}, {"load_force_x", 4}, {"reaction_force_x", -4},
+                          {"inertia_force_y", 6}, {"contact_force_y", 10}, {"load_force_y", 6}, {"reaction_force_y", 10}};
+    EXPECT_EQ(audit.terms, expected);
+    forces.reaction[3] += 0.5;  // of a total magnitude of 46.5 in both components
+    EXPECT_DOUBLE_EQ(audit_forces(forces, 2).residual, 0.5 / 48.5);
+    forces = {};
+    forces.inertia = forces.compliance = forces.friction = forces.load = forces.reaction = vector({0, 0, 0, 0});
+    EXPECT_EQ(audit_forces(forces, 2).residual, 0.0) << "nothing happens";
+}
+
+}  // namespace
+}  // namespace thermocontact::march

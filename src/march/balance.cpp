@@ -14,10 +14,12 @@ namespace {
 
 solve::CondensedSystem condense(const std::string& equation, const fem::BlockMatrix& matrix,
                                 const model::Prescribed& prescribed, const std::vector<char>& contact_nodes,
-                                const fem::Space& space, double& seconds) {
+                                const fem::Space& space, solve::InteriorOrders& orders, double& seconds) {
     try {
-        return timed(seconds,
-                     [&] { return solve::CondensedSystem(matrix, prescribed.fixed(), contact_nodes); });
+        return timed(seconds, [&] {
+            return solve::CondensedSystem(matrix, prescribed.fixed(), contact_nodes,
+                                          orders.without(contact_nodes));
+        });
     } catch (const solve::NotPositiveDefinite& failure) {
         const mesh::Point& x = space.nodes[static_cast<std::size_t>(failure.row / matrix.rows)];
         throw NumericsError(
@@ -46,13 +48,14 @@ std::string failure_text(const Where& where, const solve::NewtonResult& first,
 
 Balance::Balance(std::string equation, const scene::SolverSpec& options, fem::BlockMatrix matrix,
                  model::Prescribed prescribed, const std::vector<char>& contact_nodes,
-                 model::FacetTerm contact, const fem::Space& space, std::vector<double>& unknown)
+                 model::FacetTerm contact, const fem::Space& space, solve::InteriorOrders& orders,
+                 std::vector<double>& unknown)
     : equation_(std::move(equation)),
       matrix_(std::move(matrix)),
       prescribed_(std::move(prescribed)),
       contact_(std::move(contact)),
       unknown_(&unknown),
-      system_(condense(equation_, matrix_, prescribed_, contact_nodes, space, factor_seconds_)),
+      system_(condense(equation_, matrix_, prescribed_, contact_nodes, space, orders, factor_seconds_)),
       newton_({options.tolerance, options.max_iterations}) {
     contact_.restrict_to(system_.contact_dofs());
 }

@@ -26,7 +26,7 @@ class Balance {
     /// Throws NumericsError where A is singular.
     Balance(std::string equation, const scene::SolverSpec& options, fem::BlockMatrix matrix,
             model::Prescribed prescribed, const std::vector<char>& contact_nodes, model::FacetTerm contact,
-            const fem::Space& space, std::vector<double>& unknown);
+            const fem::Space& space, solve::InteriorOrders& orders, std::vector<double>& unknown);
 
     /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws
     /// NumericsError if no solution is found, having tried Newton and continuation in the regularisation.

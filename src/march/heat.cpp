@@ -41,7 +41,8 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double k,
 }  // namespace
 
 Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
-           const fem::NodeGraph& graph, const model::ContactSurfaces& surfaces, const State& state, double k)
+           const fem::NodeGraph& graph, solve::InteriorOrders& orders, const model::ContactSurfaces& surfaces,
+           const State& state, double k)
     : step_(k),
       capacity_density_(scene.heat->capacity),
       loads_(model::Loads::thermal(scene, mesh, space)),
@@ -51,7 +52,7 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
     conduction_ = assemble.when(scene.heat->conductivity.has_value(), "conduction.conduction", 1, 1);
     strain_heating_ =
         assemble.when(scene.heat->strain_heating.has_value(), "strain_heating.coupling", 1, scene.dimension);
-    gram_ = assemble("norms.temperature", 1, 1);
+    gram_ = assemble.when(!scene.heat->capacity, "norms.temperature", 1, 1);
     if (!scene.material) {
         no_displacement_.assign(space.nodes.size() * static_cast<std::size_t>(scene.dimension), 0.0);
     }
@@ -60,8 +61,8 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
         "heat balance", scene.solver, system_matrix(graph, k, capacity_, conduction_),
         model::Prescribed::temperature(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::conductance),
-        contact_term(scene, mesh, space, surfaces, displacement, trial_), space, trial_);
-    for (auto* products : {&stored_, &new_stored_, &conducted_, &strain_source_}) {
+        contact_term(scene, mesh, space, surfaces, displacement, trial_), space, orders, trial_);
+    for (auto* products : {&stored_, &new_stored_, &conducted_, &outflow_, &strain_source_}) {
         products->resize(trial_.size());
     }
     product(capacity_, state.temperature, stored_);
@@ -86,18 +87,18 @@ SolveReport Heat::advance(int step, double time, State& state) {
 void Heat::audit(const std::vector<double>& load) {
     product(capacity_, trial_, new_stored_);
     product(conduction_, trial_, conducted_);
-    const std::vector<double> outflow = balance_->contact().nodal_forces("conductance");
+    balance_->contact().nodal_forces("conductance", outflow_);
     const Eigen::VectorXd storage =
         (as_eigen(std::as_const(new_stored_)) - as_eigen(std::as_const(stored_))) / step_;
     const Eigen::VectorXd sources = as_eigen(load) + as_eigen(std::as_const(strain_source_));
     const Eigen::VectorXd residual =
-        storage + as_eigen(std::as_const(conducted_)) + as_eigen(outflow) - sources;
+        storage + as_eigen(std::as_const(conducted_)) + as_eigen(std::as_const(outflow_)) - sources;
     double reaction = 0;
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         reaction += residual[dof];
     }
     const Record terms{{"heat_storage_rate", storage.sum()},
-                       {"contact_heat_outflow", as_eigen(outflow).sum()},
+                       {"contact_heat_outflow", as_eigen(std::as_const(outflow_)).sum()},
                        {"prescribed_temperature_inflow", reaction},
                        {"load_heat_inflow", as_eigen(load).sum()},
                        {"strain_heat_inflow", as_eigen(std::as_const(strain_source_)).sum()}};
@@ -117,7 +118,11 @@ void Heat::audit(const std::vector<double>& load) {
 }
 
 double Heat::temperature_norm(const std::vector<double>& theta) const {
-    return std::sqrt(std::max(0.0, as_eigen(theta).dot(as_eigen(gram_.multiply(theta)))));
+    // the capacity matrix is c times the Gram matrix
+    const fem::BlockMatrix& gram = capacity_ ? *capacity_ : *gram_;
+    const double square =
+        as_eigen(theta).dot(as_eigen(gram.multiply(theta))) / capacity_density_.value_or(1.0);
+    return std::sqrt(std::max(0.0, square));
 }
 
 StepSeconds Heat::seconds() const {

@@ -18,7 +18,8 @@ class Heat {
     /// Assembles and factors for the step size k (s). The contact forms read the displacement of `state`,
     /// which must keep its address. Throws NumericsError where the system is singular.
     Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
-         const fem::NodeGraph& graph, const model::ContactSurfaces& surfaces, const State& state, double k);
+         const fem::NodeGraph& graph, solve::InteriorOrders& orders, const model::ContactSurfaces& surfaces,
+         const State& state, double k);
 
     /// From theta_{n-1} to theta_n at `time`; the displacement of `state` is already the new one. The
     /// temperature changes only if the solve succeeds. Throws NumericsError.
@@ -42,12 +43,13 @@ class Heat {
     double step_;
     std::optional<double> capacity_density_;  ///< c
     std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_;
-    fem::BlockMatrix gram_;
+    std::optional<fem::BlockMatrix> gram_;  ///< without capacity
     model::Loads loads_;
     std::vector<double> trial_;            ///< theta_n, which the contact forms read
     std::vector<double> no_displacement_;  ///< for contact forms of a scene without mechanics
     std::unique_ptr<Balance> balance_;
     std::vector<double> stored_, new_stored_;  ///< C theta_{n-1} and C theta_n
+    std::vector<double> outflow_;              ///< contact conductance, assembled
     std::vector<double> conducted_;            ///< K theta_n
     std::vector<double> strain_source_;        ///< R : eps(u_{n-1}), assembled
     double audit_seconds_ = 0;

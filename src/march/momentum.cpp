@@ -49,8 +49,8 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, doubl
 }  // namespace
 
 Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
-                   const fem::NodeGraph& graph, const model::ContactSurfaces& surfaces, const State& initial,
-                   double k)
+                   const fem::NodeGraph& graph, solve::InteriorOrders& orders,
+                   const model::ContactSurfaces& surfaces, const State& initial, double k)
     : dimension_(scene.dimension),
       step_(k),
       density_(scene.material->density),
@@ -69,13 +69,15 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
         "momentum balance", scene.solver, system_matrix(graph, d, k, mass_, damping_, stiffness_),
         model::Prescribed::displacement(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::compliance),
-        contact_term(mesh, space, d, surfaces, old_displacement_, trial_, k), space, trial_);
+        contact_term(mesh, space, d, surfaces, old_displacement_, trial_, k), space, orders, trial_);
     for (auto* compressible : {&mass_, &velocity_gram_}) {
         if (*compressible) {
             (*compressible)->compress();
         }
     }
-    thermal_.resize(trial_.size());
+    for (auto* nodal : {&thermal_, &inertia_, &viscous_, &compliance_, &friction_, &reaction_}) {
+        nodal->resize(trial_.size());
+    }
     restart(initial);
 }
 
@@ -124,22 +126,19 @@ SolveReport Momentum::advance(int step, double time, State& state) {
     return report;
 }
 
-void Momentum::collect_forces(const std::vector<double>& load) {
-    std::vector<double> viscous(trial_.size());
-    product(damping_, trial_, viscous);
-    forces_.inertia = (as_eigen(now_.mass_w) - as_eigen(old_.mass_w)) / step_;
-    forces_.viscous = as_eigen(viscous);
-    forces_.elastic = as_eigen(now_.stiffness_u);
-    forces_.thermal = as_eigen(thermal_);
-    forces_.compliance = to_eigen(balance_->contact().nodal_forces("compliance"));
-    forces_.friction = to_eigen(balance_->contact().nodal_forces("friction"));
-    forces_.load = as_eigen(load);
-    forces_.reaction.setZero(forces_.load.size());
+MomentumForces Momentum::collect_forces(const std::vector<double>& load) {
+    as_eigen(inertia_) = (as_eigen(now_.mass_w) - as_eigen(old_.mass_w)) / step_;
+    product(damping_, trial_, viscous_);
+    balance_->contact().nodal_forces("compliance", compliance_);
+    balance_->contact().nodal_forces("friction", friction_);
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
-        forces_.reaction[dof] = forces_.inertia[dof] + forces_.viscous[dof] + forces_.elastic[dof] -
-                                forces_.thermal[dof] + forces_.compliance[dof] + forces_.friction[dof] -
-                                forces_.load[dof];
+        const auto i = static_cast<std::size_t>(dof);
+        reaction_[i] = inertia_[i] + viscous_[i] + now_.stiffness_u[i] - thermal_[i] + compliance_[i] +
+                       friction_[i] - load[i];
     }
+    const auto view = [](const std::vector<double>& v) { return as_eigen(v); };
+    return {view(inertia_),  view(viscous_), view(now_.stiffness_u), view(thermal_), view(compliance_),
+            view(friction_), view(load),     view(reaction_)};
 }
 
 Energies Momentum::energies(const State& old, const std::vector<double>& new_u) const {
@@ -159,10 +158,10 @@ Energies Momentum::energies(const State& old, const std::vector<double>& new_u) 
 
 void Momentum::audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u) {
     apply(trial_, new_u, now_);
-    collect_forces(load);
+    const MomentumForces forces = collect_forces(load);
     const Energies energy_terms = energies(old, new_u);
-    const Audit energy = audit_energy(energy_terms, forces_, as_eigen(std::as_const(trial_)), step_);
-    const Audit force = audit_forces(forces_, dimension_);
+    const Audit energy = audit_energy(energy_terms, forces, as_eigen(std::as_const(trial_)), step_);
+    const Audit force = audit_forces(forces, dimension_);
     std::swap(old_, now_);
     energy_residual_ = energy.residual;
     force_residual_ = force.residual;

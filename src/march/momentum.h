@@ -17,8 +17,8 @@ class Momentum {
   public:
     /// Assembles and factors for the step size k (s). Throws NumericsError where the system is singular.
     Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
-             const fem::NodeGraph& graph, const model::ContactSurfaces& surfaces, const State& initial,
-             double k);
+             const fem::NodeGraph& graph, solve::InteriorOrders& orders,
+             const model::ContactSurfaces& surfaces, const State& initial, double k);
 
     /// From the state at t_{n-1} to u_n and w_n at `time`; the temperature of `state` is the old one. The
     /// state changes only if the solve succeeds. Throws NumericsError.
@@ -50,7 +50,7 @@ class Momentum {
                Products& products) const;
 
     std::vector<double> right_hand_side(const std::vector<double>& load) const;
-    void collect_forces(const std::vector<double>& load);
+    MomentumForces collect_forces(const std::vector<double>& load);
     Energies energies(const State& old, const std::vector<double>& new_u) const;
     void audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u);
 
@@ -64,7 +64,7 @@ class Momentum {
     std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
     std::unique_ptr<Balance> balance_;
     Products old_, now_;  ///< of the last state and of the one being computed
-    MomentumForces forces_;
+    std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< nodal forces of the step
     std::vector<double> thermal_;  ///< (theta_{n-1} M, eps(v)), assembled
     double audit_seconds_ = 0;
     Record record_;

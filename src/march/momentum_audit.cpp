@@ -25,7 +25,7 @@ double relative_difference(const Record& left, const Record& right, double extra
 
 Audit audit_energy(const Energies& energies, const MomentumForces& forces, const Eigen::VectorXd& velocity,
                    double step) {
-    const auto work = [&](const Eigen::VectorXd& force) { return step * velocity.dot(force); };
+    const auto work = [&](const ConstVectorMap& force) { return step * velocity.dot(force); };
     const Record left{{"kinetic_energy", energies.kinetic},
                       {"strain_energy", energies.strain},
                       {"kinetic_numerical_dissipation", energies.kinetic_numerical},
@@ -43,14 +43,15 @@ Audit audit_energy(const Energies& energies, const MomentumForces& forces, const
 
 Audit audit_forces(const MomentumForces& forces, int components) {
     Audit audit{{}, 0.0};
+    const Eigen::VectorXd inertias = resultant(forces.inertia, components);
+    const Eigen::VectorXd contacts =
+        resultant(forces.compliance, components) + resultant(forces.friction, components);
+    const Eigen::VectorXd loads = resultant(forces.load, components);
+    const Eigen::VectorXd reactions = resultant(forces.reaction, components);
     double difference = 0, scale = 0;
     for (int c = 0; c < components; ++c) {
         const std::string axis(1, "xyz"[c]);
-        const double inertia = component_sum(forces.inertia, components, c);
-        const double contact =
-            component_sum(forces.compliance, components, c) + component_sum(forces.friction, components, c);
-        const double load = component_sum(forces.load, components, c);
-        const double reaction = component_sum(forces.reaction, components, c);
+        const double inertia = inertias[c], contact = contacts[c], load = loads[c], reaction = reactions[c];
         difference += std::abs(inertia + contact - load - reaction);
         scale += std::abs(inertia) + std::abs(contact) + std::abs(load) + std::abs(reaction);
         audit.terms.insert(audit.terms.end(), {{"inertia_force_" + axis, inertia},

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "march/state.h"
+#include "march/vectors.h"
 
 namespace thermocontact::march {
 
@@ -11,7 +12,7 @@ namespace thermocontact::march {
 /// inertia + viscous + elastic - thermal + compliance + friction - load = reaction (on prescribed dofs, else
 /// 0).
 struct MomentumForces {
-    Eigen::VectorXd inertia, viscous, elastic, thermal, compliance, friction, load, reaction;
+    ConstVectorMap inertia, viscous, elastic, thermal, compliance, friction, load, reaction;
 };
 
 /// Energies before and after the step (J), and the parts that the implicit scheme dissipates by itself.

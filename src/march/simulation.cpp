@@ -17,12 +17,13 @@ Simulation::Simulation(const scene::Scene& scene)
       surfaces_(model::make_contact_surfaces(scene, mesh_, space_)) {
     initialise();
     const double k = scene.time.end / scene.time.steps;
+    solve::InteriorOrders orders(graph_);
     if (scene.material) {
-        momentum_.emplace(scene, mesh_, space_, graph_, surfaces_, state_, k);
+        momentum_.emplace(scene, mesh_, space_, graph_, orders, surfaces_, state_, k);
         factor_seconds_ += momentum_->balance().factor_seconds();
     }
     if (scene.heat) {
-        heat_.emplace(scene, mesh_, space_, graph_, surfaces_, state_, k);
+        heat_.emplace(scene, mesh_, space_, graph_, orders, surfaces_, state_, k);
         factor_seconds_ += heat_->balance().factor_seconds();
     }
     const model::ContactState contact{scene.material ? &state_.displacement : &no_motion_,

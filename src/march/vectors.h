@@ -16,16 +16,9 @@ inline Eigen::Map<Eigen::VectorXd> as_eigen(std::vector<double>& v) {
     return {v.data(), static_cast<Eigen::Index>(v.size())};
 }
 
-/// A copy of v.
-inline Eigen::VectorXd to_eigen(const std::vector<double>& v) {
-    return as_eigen(v);
-}
-
-/// Sum of v over all nodes for one component.
-inline double component_sum(const Eigen::Ref<const Eigen::VectorXd>& v, int components, int component) {
-    return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<>>(
-               v.data() + component, v.size() / components, Eigen::InnerStride<>(components))
-        .sum();
+/// Sum of nodal vectors over all nodes [components].
+inline Eigen::VectorXd resultant(const ConstVectorMap& v, int components) {
+    return Eigen::Map<const Eigen::MatrixXd>(v.data(), components, v.size() / components).rowwise().sum();
 }
 
 }  // namespace thermocontact::march

@@ -98,14 +98,21 @@ void FacetTerm::add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix
     }
 }
 
-std::vector<double> FacetTerm::nodal_forces(std::string_view name) {
-    std::vector<double> forces(unknown_->size(), 0.0);
+void FacetTerm::nodal_forces(std::string_view name, std::vector<double>& forces) {
+    const auto d = static_cast<std::size_t>(components_);
+    for (const Law& law : laws_) {
+        for (const mesh::Facet& facet : *law.facets) {
+            for (const std::int32_t node : space_->dofmap.of(facet.cell)) {
+                std::fill_n(forces.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(node) * d),
+                            d, 0.0);
+            }
+        }
+    }
     for (const Law& law : laws_) {
         if (law.name == name) {
             fem::assemble_facets(*law.residual, *law.facets, space_->dofmap, components_, forces);
         }
     }
-    return forces;
 }
 
 }  // namespace thermocontact::model

@@ -35,8 +35,9 @@ class FacetTerm : public solve::NonlinearTerm {
     void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override;
     void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) override;
 
-    /// Forces [nodes][components] of one law ("compliance") at the current unknown, prescribed dofs included.
-    std::vector<double> nodal_forces(std::string_view law);
+    /// Forces of one law ("compliance") at the current unknown into `forces` [nodes][components], prescribed
+    /// dofs included. Writes only on the law's surfaces: elsewhere `forces` is zero already.
+    void nodal_forces(std::string_view law, std::vector<double>& forces);
 
   private:
     struct Law {

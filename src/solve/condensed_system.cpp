@@ -115,8 +115,17 @@ double mean_diagonal(const SymmetricMatrix& matrix, const std::vector<std::int32
 
 }  // namespace
 
+const std::vector<std::int32_t>& InteriorOrders::without(const std::vector<char>& contact) {
+    const auto known = orders_.find(contact);
+    return known != orders_.end() ? known->second : orders_[contact] = order_interior(*graph_, contact);
+}
+
 CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
-                                 const std::vector<char>& contact) {
+                                 const std::vector<char>& contact)
+    : CondensedSystem(matrix, fixed, contact, InteriorOrders(*matrix.graph).without(contact)) {}
+
+CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
+                                 const std::vector<char>& contact, std::span<const std::int32_t> interior) {
     const FreeDofs free = number_free(fixed);
     if (free.dofs.empty()) {
         schur_.resize(0, 0);
@@ -124,7 +133,7 @@ CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vect
     }
     const auto b = static_cast<std::size_t>(matrix.rows);
     std::vector<std::int32_t> order, tail;
-    for (const std::int32_t node : order_interior(*matrix.graph, contact)) {
+    for (const std::int32_t node : interior) {
         for (std::size_t c = 0; c < b; ++c) {
             if (const auto i = free.index[static_cast<std::size_t>(node) * b + c]; i >= 0) {
                 order.push_back(i);

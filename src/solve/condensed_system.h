@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -15,12 +16,30 @@
 
 namespace thermocontact::solve {
 
+/// Nested dissections of the nodes outside contact, computed once for each set of contact nodes: the balances
+/// of a step mostly share theirs.
+class InteriorOrders {
+  public:
+    explicit InteriorOrders(const fem::NodeGraph& graph) : graph_(&graph) {}
+
+    /// The nodes that `contact` [nodes] does not mark, in fill-reducing order.
+    const std::vector<std::int32_t>& without(const std::vector<char>& contact);
+
+  private:
+    const fem::NodeGraph* graph_;
+    std::map<std::vector<char>, std::vector<std::int32_t>> orders_;
+};
+
 class CondensedSystem {
   public:
     /// `fixed` [dofs] marks prescribed unknowns, which drop out; `contact` [nodes] marks the nodes whose
     /// other unknowns are kept. Throws NotPositiveDefinite with the dof at fault.
     CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
                     const std::vector<char>& contact);
+
+    /// The same with an order of the nodes outside contact that is known already.
+    CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed, const std::vector<char>& contact,
+                    std::span<const std::int32_t> interior);
 
     /// Dofs of the contact unknowns, in the order of S.
     const std::vector<std::int32_t>& contact_dofs() const { return contact_dofs_; }

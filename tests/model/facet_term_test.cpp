@@ -81,6 +81,7 @@ class Bottom {
 
     const Eigen::VectorXd& x() const { return x_; }
     FacetTerm& term() { return term_; }
+    std::size_t dof_count() const { return velocity_.size(); }
     Eigen::VectorXd value(const Eigen::VectorXd& x) {
         Eigen::VectorXd result;
         term_.evaluate(x, result);
@@ -209,7 +210,9 @@ TEST(FacetTerm, RegularisationIsRaisedAndRestored) {
 TEST(FacetTerm, NodalForcesOfEachLaw) {
     Bottom bottom({1e-3, 1.0, 1e-3, 1.0});
     const Eigen::VectorXd value = bottom.value(bottom.x());
-    const auto compliance = bottom.term().nodal_forces("compliance"), sliding = bottom.term().nodal_forces("friction");
+    std::vector<double> compliance(bottom.dof_count(), 0.0), sliding = compliance;
+    bottom.term().nodal_forces("compliance", compliance);
+    bottom.term().nodal_forces("friction", sliding);
     for (Eigen::Index i = 0; i < value.size(); ++i) {  // bottom's three nodes are the mesh's first
         EXPECT_EQ((i % 2 == 0 ? compliance : sliding)[i], 0.0);
         EXPECT_DOUBLE_EQ(compliance[i] + sliding[i], value[i]);

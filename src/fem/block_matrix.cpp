@@ -37,7 +37,8 @@ void multiply_blocks(const BlockMatrix& matrix, const double* x, double* y) {
     const std::int32_t* column = graph.columns.data();
     for (std::size_t node = 0; node + 1 < graph.offsets.size(); ++node) {
         double sum[rows] = {};
-        for (auto i = graph.offsets[node]; i < graph.offsets[node + 1]; ++i, block += rows * columns) {
+        for (auto i = graph.offsets[node]; i < graph.offsets[node + 1];
+             ++i, block += std::ptrdiff_t{rows} * columns) {
             const double* values = x + static_cast<std::ptrdiff_t>(*column++) * columns;
             for (int r = 0; r < rows; ++r) {
                 for (int c = 0; c < columns; ++c) {

@@ -16,6 +16,7 @@ std::vector<Integral> integrals_of(const ufcx_form& form, ufcx_integral_type typ
     std::vector<Integral> result;
 #if UFCX_BEFORE(0, 7)
     const int count = form.num_integrals(type);
+    result.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         result.push_back({form.integral_ids(type)[i], form.integrals(type)[i]->tabulate_tensor_float64});
     }

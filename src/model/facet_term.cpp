@@ -57,7 +57,8 @@ void FacetTerm::unknowns_of(const mesh::Facet& facet) {
     local_.clear();
     for (const std::int32_t node : space_->dofmap.of(facet.cell)) {
         for (std::int32_t c = 0; c < components_; ++c) {
-            local_.push_back(index_[static_cast<std::size_t>(node * components_ + c)]);
+            const std::int32_t dof = node * components_ + c;
+            local_.push_back(index_[static_cast<std::size_t>(dof)]);
         }
     }
 }

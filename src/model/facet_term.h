@@ -37,7 +37,7 @@ class FacetTerm : public solve::NonlinearTerm {
 
     /// Forces of one law ("compliance") at the current unknown into `forces` [nodes][components], prescribed
     /// dofs included. Writes only on the law's surfaces: elsewhere `forces` is zero already.
-    void nodal_forces(std::string_view law, std::vector<double>& forces);
+    void nodal_forces(std::string_view name, std::vector<double>& forces);
 
   private:
     struct Law {

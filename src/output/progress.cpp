@@ -89,7 +89,7 @@ void Progress::step(march::Simulation& simulation) {
     }
 }
 
-void Progress::line(const std::string& text) {
+void Progress::line(const std::string& text) const {
     if (!quiet_) {
         std::cerr << text << "\n";
     }

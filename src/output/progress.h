@@ -16,7 +16,7 @@ class Progress {
 
     void header(const march::Simulation& simulation) const;
     void step(march::Simulation& simulation);
-    void line(const std::string& text);
+    void line(const std::string& text) const;
 
   private:
     const scene::Scene* scene_;

@@ -38,8 +38,8 @@ class CondensedSystem {
                     const std::vector<char>& contact);
 
     /// The same with an order of the nodes outside contact that is known already.
-    CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed, const std::vector<char>& contact,
-                    std::span<const std::int32_t> interior);
+    CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
+                    const std::vector<char>& contact, std::span<const std::int32_t> interior);
 
     /// Dofs of the contact unknowns, in the order of S.
     const std::vector<std::int32_t>& contact_dofs() const { return contact_dofs_; }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <new>
 #include <numeric>
-#include <ranges>
 
 #include "solve/cholmod.h"
 
@@ -245,7 +244,8 @@ void PanelFactor::forward(std::vector<double>& x) {
 }
 
 void PanelFactor::backward(std::vector<double>& x) {
-    for (const Panel& panel : std::ranges::reverse_view(panels_)) {
+    for (std::size_t i = panels_.size(); i-- > 0;) {
+        const Panel& panel = panels_[i];
         double* local = buffer_.data();
         const std::int32_t below = panel.rows - panel.columns;
         const std::int32_t* rows = rows_.data() + panel.below;

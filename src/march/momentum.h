@@ -46,8 +46,10 @@ class Momentum {
         std::vector<double> mass_w, stiffness_u;
     };
 
+    /// The stiffness acts on the displacement less its mean: a translation strains nothing, but that of a
+    /// body that has moved far would cost the digits of what does.
     void apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
-               Products& products) const;
+               Products& products);
 
     std::vector<double> right_hand_side(const std::vector<double>& load) const;
     MomentumForces collect_forces(const std::vector<double>& load);
@@ -63,7 +65,8 @@ class Momentum {
     model::Loads loads_;
     std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
     std::unique_ptr<Balance> balance_;
-    Products old_, now_;  ///< of the last state and of the one being computed
+    std::vector<double> centred_;  ///< displacement less its mean
+    Products old_, now_;           ///< of the last state and of the one being computed
     std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< nodal forces of the step
     std::vector<double> thermal_;  ///< (theta_{n-1} M, eps(v)), assembled
     double audit_seconds_ = 0;

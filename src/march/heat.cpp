@@ -90,22 +90,25 @@ void Heat::audit(const std::vector<double>& load) {
     balance_->contact().nodal_forces("conductance", outflow_);
     const Eigen::VectorXd storage =
         (as_eigen(std::as_const(new_stored_)) - as_eigen(std::as_const(stored_))) / step_;
-    const Eigen::VectorXd sources = as_eigen(load) + as_eigen(std::as_const(strain_source_));
-    const Eigen::VectorXd residual =
-        storage + as_eigen(std::as_const(conducted_)) + as_eigen(std::as_const(outflow_)) - sources;
+    const Eigen::VectorXd residual = storage + as_eigen(std::as_const(conducted_)) +
+                                     as_eigen(std::as_const(outflow_)) - as_eigen(load) -
+                                     as_eigen(std::as_const(strain_source_));
+    const auto strain = as_eigen(std::as_const(strain_source_)), flow = as_eigen(std::as_const(outflow_));
+    // the magnitude of what is summed: inflow on one side and outflow on the other still count
+    double scale = storage.lpNorm<1>() + flow.lpNorm<1>() + as_eigen(load).lpNorm<1>() + strain.lpNorm<1>();
     double reaction = 0;
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         reaction += residual[dof];
+        scale += std::abs(residual[dof]);
     }
     const Record terms{{"heat_storage_rate", storage.sum()},
-                       {"contact_heat_outflow", as_eigen(std::as_const(outflow_)).sum()},
+                       {"contact_heat_outflow", flow.sum()},
                        {"prescribed_temperature_inflow", reaction},
                        {"load_heat_inflow", as_eigen(load).sum()},
-                       {"strain_heat_inflow", as_eigen(std::as_const(strain_source_)).sum()}};
-    double sum = 0, scale = 0;
+                       {"strain_heat_inflow", strain.sum()}};
+    double sum = 0;
     for (std::size_t i = 0; i < terms.size(); ++i) {
         sum += (i < 2 ? 1.0 : -1.0) * terms[i].second;
-        scale += std::abs(terms[i].second);
     }
     heat_residual_ = scale > 0 ? std::abs(sum) / scale : 0.0;
     // |theta|^2 = (theta, C theta) / c spares a product

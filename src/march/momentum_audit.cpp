@@ -48,12 +48,14 @@ Audit audit_forces(const MomentumForces& forces, int components) {
         resultant(forces.compliance, components) + resultant(forces.friction, components);
     const Eigen::VectorXd loads = resultant(forces.load, components);
     const Eigen::VectorXd reactions = resultant(forces.reaction, components);
-    double difference = 0, scale = 0;
+    // the magnitude of what is summed: loads that balance each other still count
+    const double scale = forces.inertia.lpNorm<1>() + forces.compliance.lpNorm<1>() +
+                         forces.friction.lpNorm<1>() + forces.load.lpNorm<1>() + forces.reaction.lpNorm<1>();
+    double difference = 0;
     for (int c = 0; c < components; ++c) {
         const std::string axis(1, "xyz"[c]);
         const double inertia = inertias[c], contact = contacts[c], load = loads[c], reaction = reactions[c];
         difference += std::abs(inertia + contact - load - reaction);
-        scale += std::abs(inertia) + std::abs(contact) + std::abs(load) + std::abs(reaction);
         audit.terms.insert(audit.terms.end(), {{"inertia_force_" + axis, inertia},
                                                {"contact_force_" + axis, contact},
                                                {"load_force_" + axis, load},

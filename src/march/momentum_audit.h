@@ -33,7 +33,7 @@ struct Audit {
 Audit audit_energy(const Energies& energies, const MomentumForces& forces, const Eigen::VectorXd& velocity,
                    double step);
 
-/// Per component: inertia + contact = loads + reactions.
+/// Per component: inertia + contact = loads + reactions; relative to the nodal magnitudes of these forces.
 Audit audit_forces(const MomentumForces& forces, int components);
 
 }  // namespace thermocontact::march

@@ -55,16 +55,14 @@ void Simulation::advance() {
     const int step = state_.step + 1;
     const double time = scene_->time.end * step / scene_->time.steps;
     const State before = state_;
+    SolveReport momentum, heat;
     try {
         model::update(surfaces_, space_, time);
         if (momentum_) {
-            momentum_report_ = momentum_->advance(step, time, state_);
-            totals_.energy_residual = std::max(totals_.energy_residual, momentum_->energy_residual());
-            totals_.force_residual = std::max(totals_.force_residual, momentum_->force_residual());
+            momentum = momentum_->advance(step, time, state_);
         }
         if (heat_) {
-            heat_report_ = heat_->advance(step, time, state_);
-            totals_.heat_residual = std::max(totals_.heat_residual, heat_->heat_residual());
+            heat = heat_->advance(step, time, state_);
         }
     } catch (...) {
         state_ = before;
@@ -76,6 +74,22 @@ void Simulation::advance() {
     }
     state_.step = step;
     state_.time = time;
+    momentum_report_ = momentum;
+    heat_report_ = heat;
+    count_step();
+}
+
+void Simulation::count_step() {
+    balances_.clear();
+    if (momentum_) {
+        balances_.insert(balances_.end(), momentum_->record().begin(), momentum_->record().end());
+        totals_.energy_residual = std::max(totals_.energy_residual, momentum_->energy_residual());
+        totals_.force_residual = std::max(totals_.force_residual, momentum_->force_residual());
+    }
+    if (heat_) {
+        balances_.insert(balances_.end(), heat_->record().begin(), heat_->record().end());
+        totals_.heat_residual = std::max(totals_.heat_residual, heat_->heat_residual());
+    }
     const int iterations = momentum_report_.iterations + heat_report_.iterations;
     totals_.iterations += iterations;
     totals_.max_iterations_in_a_step = std::max(totals_.max_iterations_in_a_step, iterations);
@@ -123,12 +137,7 @@ Record Simulation::record() {
                {"newton_iterations", momentum_report_.iterations},
                {"heat_iterations", heat_report_.iterations},
                {"retries", momentum_report_.retries + heat_report_.retries}};
-    if (momentum_) {
-        row.insert(row.end(), momentum_->record().begin(), momentum_->record().end());
-    }
-    if (heat_) {
-        row.insert(row.end(), heat_->record().begin(), heat_->record().end());
-    }
+    row.insert(row.end(), balances_.begin(), balances_.end());
     if (!surfaces_.empty()) {
         double area = 0, closed = 0, slipping = 0, deepest = 0;
         for (const auto& [name, measures] : contact_measures()) {

@@ -61,6 +61,7 @@ class Simulation {
 
   private:
     void initialise();
+    void count_step();
 
     const scene::Scene* scene_;
     mesh::Mesh mesh_;
@@ -73,6 +74,7 @@ class Simulation {
     std::optional<Heat> heat_;
     std::vector<std::unique_ptr<model::ContactProbe>> probes_;
     SolveReport momentum_report_, heat_report_;
+    Record balances_;  ///< of the last step that succeeded
     Totals totals_;
     double factor_seconds_ = 0;
 };

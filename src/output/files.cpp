@@ -26,6 +26,8 @@ void write_whole(const std::filesystem::path& path, std::string_view content) {
     std::error_code failure;
     std::filesystem::rename(beside, path, failure);
     if (failure) {
+        std::error_code ignored;
+        std::filesystem::remove(beside, ignored);
         throw SystemError("cannot write " + path.string() + ": " + failure.message());
     }
 }

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-
 #include <cmath>
 #include <limits>
 #include <set>
@@ -24,8 +23,8 @@ const Constants constants{{"rho", {1.7}},
                           {"M", {0.3, 0.1, 0.1, 0.2}},
                           {"R", {0.4, -0.1, -0.1, 0.3}}};
 
-/// Entries of assembled matrices are sums over at most 8 cells; those of products over a row with some 50 entries of the
-/// largest size.
+/// Entries of assembled matrices are sums over at most 8 cells; those of products over a row with some 50
+/// entries of the largest size.
 double round_off(const Eigen::MatrixXd& matrix) {
     return 1000 * std::numeric_limits<double>::epsilon() * matrix.cwiseAbs().maxCoeff();
 }
@@ -42,8 +41,8 @@ struct Case {
 
 class Assembly : public testing::TestWithParam<Case> {
   protected:
-    const mesh::Mesh mesh =
-        mesh::make_rectangle({"rectangle", {-0.4, 0.2}, {-0.4 + width, 0.2 + height}, {4, 3}, GetParam().diagonal});
+    const mesh::Mesh mesh = mesh::make_rectangle(
+        {"rectangle", {-0.4, 0.2}, {-0.4 + width, 0.2 + height}, {4, 3}, GetParam().diagonal});
     const Space space = make_space(mesh, GetParam().degree);
     const NodeGraph graph = make_node_graph(space);
 
@@ -65,7 +64,9 @@ class Assembly : public testing::TestWithParam<Case> {
     }
 
     Eigen::VectorXd translation(int component) const {
-        return nodal([&](double, double) { return std::array<double, 2>{component == 0 ? 1.0 : 0.0, component == 1 ? 1.0 : 0.0}; });
+        return nodal([&](double, double) {
+            return std::array<double, 2>{component == 0 ? 1.0 : 0.0, component == 1 ? 1.0 : 0.0};
+        });
     }
     Eigen::VectorXd rotation() const {
         return nodal([](double x, double y) { return std::array<double, 2>{-y, x}; });
@@ -83,7 +84,8 @@ TEST_P(Assembly, GraphCouplesTheNodesThatShareACell) {
     for (std::size_t node = 0; node < neighbours.size(); ++node) {
         const std::vector<std::int32_t> row(graph.columns.begin() + graph.offsets[node],
                                             graph.columns.begin() + graph.offsets[node + 1]);
-        EXPECT_EQ(row, std::vector<std::int32_t>(neighbours[node].begin(), neighbours[node].end())) << "node " << node;
+        EXPECT_EQ(row, std::vector<std::int32_t>(neighbours[node].begin(), neighbours[node].end()))
+            << "node " << node;
     }
 }
 
@@ -103,12 +105,13 @@ TEST_P(Assembly, CellPositionsPointToThePairsOfNodes) {
 }
 
 TEST_P(Assembly, SymmetricOperators) {
-    for (const auto& [name, components] : std::vector<std::pair<std::string, int>>{{"inertia.mass", 2},
-                                                                                   {"elasticity.stiffness", 2},
-                                                                                   {"viscosity.damping", 2},
-                                                                                   {"norms.strains", 2},
-                                                                                   {"conduction.conduction", 1},
-                                                                                   {"heat_capacity.capacity", 1}}) {
+    for (const auto& [name, components] :
+         std::vector<std::pair<std::string, int>>{{"inertia.mass", 2},
+                                                  {"elasticity.stiffness", 2},
+                                                  {"viscosity.damping", 2},
+                                                  {"norms.strains", 2},
+                                                  {"conduction.conduction", 1},
+                                                  {"heat_capacity.capacity", 1}}) {
         const Eigen::MatrixXd A = matrix(name, components, components);
         EXPECT_LE((A - A.transpose()).cwiseAbs().maxCoeff(), round_off(A)) << name;
         EXPECT_GT(A.diagonal().minCoeff(), 0.0) << name;
@@ -131,7 +134,8 @@ TEST_P(Assembly, RigidMotionsMakeNoStressAndConstantsNoFlux) {
     for (const char* name : {"elasticity.stiffness", "viscosity.damping", "norms.strains"}) {
         const Eigen::MatrixXd A = matrix(name, 2, 2);
         for (const Eigen::VectorXd& motion : {translation(0), translation(1), rotation()}) {
-            EXPECT_LE((A * motion).cwiseAbs().maxCoeff(), round_off(A) * motion.cwiseAbs().maxCoeff()) << name;
+            EXPECT_LE((A * motion).cwiseAbs().maxCoeff(), round_off(A) * motion.cwiseAbs().maxCoeff())
+                << name;
         }
         EXPECT_EQ(rank(A), A.rows() - 3) << name;
     }
@@ -142,7 +146,9 @@ TEST_P(Assembly, RigidMotionsMakeNoStressAndConstantsNoFlux) {
 
 /// A linear displacement has the same strain everywhere: its energy is area e.C e.
 TEST_P(Assembly, EnergyOfUniformStrain) {
-    const Eigen::VectorXd u = nodal([](double x, double y) { return std::array<double, 2>{0.1 * x - 0.3 * y, 0.5 * x + 0.2 * y}; });
+    const Eigen::VectorXd u = nodal([](double x, double y) {
+        return std::array<double, 2>{0.1 * x - 0.3 * y, 0.5 * x + 0.2 * y};
+    });
     const Eigen::Vector3d e(0.1, 0.2, 0.2);
     const Eigen::Matrix3d E = Eigen::Map<const Eigen::Matrix3d>(constants.at("E").data());
     const Eigen::MatrixXd A = matrix("elasticity.stiffness", 2, 2);
@@ -153,14 +159,20 @@ TEST_P(Assembly, EnergyOfUniformStrain) {
 
 /// Of a uniform strain the heat is R : e area; a uniform temperature does the work theta M : e area on it.
 TEST_P(Assembly, CouplingsOfUniformFields) {
-    const Eigen::VectorXd u = nodal([](double x, double y) { return std::array<double, 2>{0.1 * x - 0.3 * y, 0.5 * x + 0.2 * y}; });
-    const Eigen::MatrixXd R = matrix("strain_heating.coupling", 1, 2), M = matrix("thermal_stress.coupling", 2, 1);
+    const Eigen::VectorXd u = nodal([](double x, double y) {
+        return std::array<double, 2>{0.1 * x - 0.3 * y, 0.5 * x + 0.2 * y};
+    });
+    const Eigen::MatrixXd R = matrix("strain_heating.coupling", 1, 2),
+                          M = matrix("thermal_stress.coupling", 2, 1);
     EXPECT_NEAR((R * u).sum(), area * (0.4 * 0.1 - 2 * 0.1 * 0.1 + 0.3 * 0.2), round_off(R) * R.rows());
-    EXPECT_NEAR(u.dot(M * Eigen::VectorXd::Ones(M.cols())), area * (0.3 * 0.1 + 2 * 0.1 * 0.1 + 0.2 * 0.2), round_off(M) * M.rows());
+    EXPECT_NEAR(u.dot(M * Eigen::VectorXd::Ones(M.cols())), area * (0.3 * 0.1 + 2 * 0.1 * 0.1 + 0.2 * 0.2),
+                round_off(M) * M.rows());
 }
 
 TEST_P(Assembly, LoadsAddUp) {
-    const std::vector<double> f = support::as_std(nodal([](double, double) { return std::array<double, 2>{3.0, -2.0}; }));
+    const std::vector<double> f = support::as_std(nodal([](double, double) {
+        return std::array<double, 2>{3.0, -2.0};
+    }));
     const Fields fields{{"f", {&f, 2, &space.dofmap}}};
     Form body(find_kernel("body_force.load", "triangle", GetParam().degree), mesh, {}, fields);
     Form side(find_kernel("traction.load", "triangle", GetParam().degree), mesh, {}, fields);
@@ -183,23 +195,29 @@ TEST_P(Assembly, LoadsAddUp) {
 
 TEST_P(Assembly, IntegrateMeasuresTheBoundary) {
     const std::vector<double> zero2(2 * space.nodes.size(), 0.0), zero(space.nodes.size(), 0.0);
-    const Fields fields{{"u", {&zero2, 2, &space.dofmap}}, {"w", {&zero2, 2, &space.dofmap}}, {"g", {&zero, 1, &space.dofmap}}};
+    const Fields fields{{"u", {&zero2, 2, &space.dofmap}},
+                        {"w", {&zero2, 2, &space.dofmap}},
+                        {"g", {&zero, 1, &space.dofmap}}};
     for (const int rule : {0, 1, 3, 5, 7, 9}) {
-        Form form(find_kernel("kinematics.area", "triangle", GetParam().degree), mesh, {{"eps", {1.0}}}, fields, rule);
+        Form form(find_kernel("kinematics.area", "triangle", GetParam().degree), mesh, {{"eps", {1.0}}},
+                  fields, rule);
         EXPECT_NEAR(integrate(form, mesh.facets), 2 * (width + height), 1e-13) << "rule " << rule;
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, Assembly,
-                         testing::Values(Case{"right", 1}, Case{"left", 1}, Case{"crossed", 1}, Case{"right", 2},
-                                         Case{"left", 2}, Case{"crossed", 2}),
-                         [](const auto& info) { return info.param.diagonal + "_" + std::to_string(info.param.degree); });
+                         testing::Values(Case{"right", 1}, Case{"left", 1}, Case{"crossed", 1},
+                                         Case{"right", 2}, Case{"left", 2}, Case{"crossed", 2}),
+                         [](const auto& info) {
+                             return info.param.diagonal + "_" + std::to_string(info.param.degree);
+                         });
 
 TEST(BlockMatrix, MultipliesLikeADenseMatrix) {
     const mesh::Mesh mesh = mesh::make_rectangle({"rectangle", {0, 0}, {1, 1}, {3, 2}, "crossed"});
     const Space space = make_space(mesh, 2);
     const NodeGraph graph = make_node_graph(space);
-    for (const auto& [rows, columns] : std::vector<std::pair<int, int>>{{1, 1}, {1, 2}, {1, 3}, {2, 1}, {2, 2}, {3, 1}, {3, 3}}) {
+    for (const auto& [rows, columns] :
+         std::vector<std::pair<int, int>>{{1, 1}, {1, 2}, {1, 3}, {2, 1}, {2, 2}, {3, 1}, {3, 3}}) {
         BlockMatrix matrix = zero_matrix(graph, rows, columns);
         matrix.values = support::random_numbers(matrix.values.size());
         const auto x = support::random_numbers(static_cast<std::size_t>(graph.node_count() * columns), 2);
@@ -207,7 +225,8 @@ TEST(BlockMatrix, MultipliesLikeADenseMatrix) {
         const Eigen::VectorXd found = support::as_vector(matrix.multiply(x));
         ASSERT_EQ(found.size(), expected.size());
         // rows of at most 25 blocks: 75 products of numbers below 1
-        EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), 75 * std::numeric_limits<double>::epsilon()) << rows << "x" << columns;
+        EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), 75 * std::numeric_limits<double>::epsilon())
+            << rows << "x" << columns;
         std::vector<double> reused(static_cast<std::size_t>(expected.size()), 1e300);
         matrix.multiply(x, reused);
         EXPECT_EQ(reused, matrix.multiply(x));

@@ -18,7 +18,8 @@ using support::Triangle;
 using support::Vector2;
 using support::VectorPolynomial;
 
-/// Numbers and fields on one triangle. Contact is the same kind (open or closed, ...) on the whole of each facet.
+/// Numbers and fields on one triangle. Contact is the same kind (open or closed, ...) on the whole of each
+/// facet.
 struct Situation {
     std::string name;
     Triangle triangle;
@@ -28,9 +29,9 @@ struct Situation {
     Polynomial g, theta, theta_F;
     std::vector<double> stress;  ///< xx, yy, zz, xy, yz, xz
     bool closed = true;
-    double transfer_slope = 0;      ///< k_c(r) = transfer_offset + transfer_slope r
+    double transfer_slope = 0;  ///< k_c(r) = transfer_offset + transfer_slope r
     double transfer_offset = 0;
-    double limited_slope = 1;       ///< phi_L(s) = limited_offset + limited_slope s
+    double limited_slope = 1;  ///< phi_L(s) = limited_offset + limited_slope s
     double limited_offset = 0;
 
     double constant(const std::string& name) const { return constants.at(name).front(); }
@@ -97,10 +98,13 @@ std::vector<Polynomial> each(const Rows& rows, Entry entry) {
     return result;
 }
 
-inline Polynomial dot(const VectorPolynomial& a, const Vector2& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Polynomial dot(const VectorPolynomial& a, const Vector2& b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
 
 /// a^T C b with C [3][3] row-major.
-inline Polynomial contract(const std::array<Polynomial, 3>& a, const std::vector<double>& C, const std::array<Polynomial, 3>& b) {
+inline Polynomial contract(const std::array<Polynomial, 3>& a, const std::vector<double>& C,
+                           const std::array<Polynomial, 3>& b) {
     Polynomial sum;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
@@ -123,7 +127,8 @@ inline std::array<Polynomial, 3> strain(const Triangle& triangle, const VectorPo
 /// (B^T C B) of the constant `tensor`; identity_in_tensor_norm gives eps : eps.
 inline std::vector<Polynomial> strain_product(const Situation& at, const std::vector<double>& tensor) {
     const auto shapes = vector_shapes(at);
-    return outer(shapes, shapes, [&](const auto& v, const auto& u) { return contract(v.strain(), tensor, u.strain()); });
+    return outer(shapes, shapes,
+                 [&](const auto& v, const auto& u) { return contract(v.strain(), tensor, u.strain()); });
 }
 
 inline std::vector<Polynomial> vector_mass(const Situation& at, double factor) {
@@ -148,13 +153,14 @@ inline std::vector<Polynomial> scalar_load(const Situation& at, const Polynomial
 /// The contact quantities of one facet.
 struct Contact {
     Vector2 n;
-    Polynomial r;           ///< u.n - g
-    Polynomial p, dp;       ///< p_n(r), p_n'(r)
+    Polynomial r;      ///< u.n - g
+    Polynomial p, dp;  ///< p_n(r), p_n'(r)
     Vector2 w_t;
-    double speed;           ///< |w_t|_eps
-    double tangent[2][2];   ///< I - n n^T
+    double speed;          ///< |w_t|_eps
+    double tangent[2][2];  ///< I - n n^T
 
-    Contact(const Situation& at, std::size_t facet) : n(at.triangle.outward_normal(facet)), r(dot(at.u, n) - at.g) {
+    Contact(const Situation& at, std::size_t facet)
+        : n(at.triangle.outward_normal(facet)), r(dot(at.u, n) - at.g) {
         const double c_n = at.constant("c_n"), m = at.constant("m"), eps = at.constant("eps");
         if (at.closed) {
             p = m == 1 ? c_n * r : c_n * r * r;
@@ -197,7 +203,8 @@ inline std::vector<Polynomial> friction_jacobian(const Situation& at, std::size_
 inline std::vector<Polynomial> stress(const Situation& at) {
     const auto e = strain(at.triangle, at.u), de = strain(at.triangle, at.w);
     const auto& [E, V, M] = std::tie(at.constants.at("E"), at.constants.at("Visc"), at.constants.at("M"));
-    const auto row = [&](const std::vector<double>& matrix, std::size_t i, const std::array<Polynomial, 3>& strain) {
+    const auto row = [&](const std::vector<double>& matrix, std::size_t i,
+                         const std::array<Polynomial, 3>& strain) {
         return strain[0] * matrix[3 * i] + strain[1] * matrix[3 * i + 1] + strain[2] * matrix[3 * i + 2];
     };
     const auto component = [&](std::size_t i, double expansion) {
@@ -217,7 +224,8 @@ inline double von_mises(const std::vector<double>& s) {
     return std::sqrt(1.5 * squares);
 }
 
-inline Integrands on_contact(std::function<std::vector<Polynomial>(const Situation&, const Contact&)> integrands) {
+inline Integrands on_contact(
+    std::function<std::vector<Polynomial>(const Situation&, const Contact&)> integrands) {
     return [=](const Situation& at, std::size_t facet) { return integrands(at, Contact(at, facet)); };
 }
 
@@ -228,7 +236,9 @@ inline Integrands on_cell(std::function<std::vector<Polynomial>(const Situation&
 /// By the names of the kernels.
 inline std::map<std::string, ClosedForm> closed_forms() {
     std::map<std::string, ClosedForm> forms;
-    const auto cell = [&](const std::string& name, auto integrands) { forms[name] = {Domain::cell, on_cell(integrands)}; };
+    const auto cell = [&](const std::string& name, auto integrands) {
+        forms[name] = {Domain::cell, on_cell(integrands)};
+    };
     const auto contact = [&](const std::string& name, Domain domain, auto integrands) {
         forms[name] = {domain, on_contact(integrands)};
     };
@@ -251,12 +261,14 @@ inline std::map<std::string, ClosedForm> closed_forms() {
         });
     });
     cell("thermal_stress.coupling", [](At at) {
-        return outer(vector_shapes(at), at.shapes(),
-                     [&](const auto& v, const auto& theta) { return theta * contract(at.constants.at("M"), v.strain()); });
+        return outer(vector_shapes(at), at.shapes(), [&](const auto& v, const auto& theta) {
+            return theta * contract(at.constants.at("M"), v.strain());
+        });
     });
     cell("strain_heating.coupling", [](At at) {
-        return outer(at.shapes(), vector_shapes(at),
-                     [&](const auto& eta, const auto& u) { return eta * contract(at.constants.at("R"), u.strain()); });
+        return outer(at.shapes(), vector_shapes(at), [&](const auto& eta, const auto& u) {
+            return eta * contract(at.constants.at("R"), u.strain());
+        });
     });
     cell("body_force.load", vector_load);
     cell("heat_source.load", [](At at) { return scalar_load(at, at.theta); });
@@ -275,17 +287,22 @@ inline std::map<std::string, ClosedForm> closed_forms() {
             return on.dp * at.constant("k") * dw.dot(on.n) * v.dot(on.n);
         });
     });
-    contact("compliance.normal_force", Domain::contact, [](At, On on) { return std::vector<Polynomial>{on.p}; });
+    contact("compliance.normal_force", Domain::contact,
+            [](At, On on) { return std::vector<Polynomial>{on.p}; });
     contact("compliance.pressure", Domain::nodes, [](At at, On on) { return scalar_load(at, on.p); });
     contact("friction.residual", Domain::contact, [](At at, On on) {
-        return each(vector_shapes(at), [&](const auto& v) { return on.p * (at.constant("mu") / on.speed) * v.dot(on.w_t); });
+        return each(vector_shapes(at),
+                    [&](const auto& v) { return on.p * (at.constant("mu") / on.speed) * v.dot(on.w_t); });
     });
     forms["friction.jacobian"] = {Domain::contact, friction_jacobian};
     contact("friction.traction", Domain::nodes, [](At at, On on) {
-        return each(vector_shapes(at), [&](const auto& v) { return on.p * (-at.constant("mu") / on.speed) * v.dot(on.w_t); });
+        return each(vector_shapes(at),
+                    [&](const auto& v) { return on.p * (-at.constant("mu") / on.speed) * v.dot(on.w_t); });
     });
-    contact("conductance.residual", Domain::contact, [](At at, On on) { return scalar_load(at, heat_flow(at, on)); });
-    contact("conductance.heat_flow", Domain::nodes, [](At at, On on) { return scalar_load(at, heat_flow(at, on)); });
+    contact("conductance.residual", Domain::contact,
+            [](At at, On on) { return scalar_load(at, heat_flow(at, on)); });
+    contact("conductance.heat_flow", Domain::nodes,
+            [](At at, On on) { return scalar_load(at, heat_flow(at, on)); });
     contact("conductance.jacobian", Domain::contact, [](At at, On on) {
         const Polynomial slope = (on.r * at.transfer_slope + at.transfer_offset) * at.limited_slope;
         return outer(at.shapes(), at.shapes(), [&](const auto& v, const auto& u) { return v * u * slope; });

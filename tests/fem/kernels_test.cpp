@@ -47,7 +47,8 @@ Constants constants() {
 
 /// General fields, for the forms of the body and the loads.
 Situation body(const Triangle& triangle, int degree) {
-    Situation at{"body", triangle, degree, constants(), {}, {}, {}, {}, {}, {}, {1.2, -0.7, 0.4, 0.3, -0.2, 0.6}};
+    Situation at{
+        "body", triangle, degree, constants(), {}, {}, {}, {}, {}, {}, {1.2, -0.7, 0.4, 0.3, -0.2, 0.6}};
     at.u = {field(degree, 0.1, -0.2, 0.3), field(degree, 0.4, 0.1, -0.1)};
     at.w = {field(degree, -0.3, 0.6, 0.2), field(degree, 0.7, -0.5, 0.4)};
     at.f = {field(degree, 1.0, 2.0, -1.0), field(degree, -0.5, 0.3, 2.5)};
@@ -104,7 +105,8 @@ std::vector<Situation> contact_situations(const Triangle& triangle, int degree) 
 /// Nodal values of the fields of a situation, bound to a mesh of its triangle.
 class OneElement {
   public:
-    explicit OneElement(const Situation& at) : mesh_(at.triangle.mesh()), space_(make_space(mesh_, at.degree)), at_(at) {
+    explicit OneElement(const Situation& at)
+        : mesh_(at.triangle.mesh()), space_(make_space(mesh_, at.degree)), at_(at) {
         const double k = at.constant("k");
         const VectorPolynomial u_old{at.u[0] - k * at.w[0], at.u[1] - k * at.w[1]};
         add("u", {at.u[0], at.u[1]});
@@ -182,9 +184,9 @@ double quadrature(const Polynomial& p, const Triangle& triangle, int degree, std
     return length * sum;
 }
 
-/// An entry is a sum of up to 50 products (points, components, columns of B) with table values and weights good to
-/// machine precision; each rounding is relative to a summand, and the summands exceed the largest entry tenfold at most.
-/// Integrands that vanish must give exact zeros.
+/// An entry is a sum of up to 50 products (points, components, columns of B) with table values and weights
+/// good to machine precision; each rounding is relative to a summand, and the summands exceed the largest
+/// entry tenfold at most. Integrands that vanish must give exact zeros.
 void expect_equal(const std::vector<double>& found, const std::vector<double>& expected) {
     double largest = 0;
     for (const double value : expected) {
@@ -215,8 +217,9 @@ class Kernels : public testing::TestWithParam<Named> {
     void check(const ClosedForm& form, const Situation& at, std::size_t facet, int rule) {
         std::vector<double> expected;
         for (const Polynomial& p : form.integrands(at, facet)) {
-            expected.push_back(form.domain == Domain::cell ? p.over_triangle(at.triangle.area())
-                                                           : quadrature(p, at.triangle, at.degree, facet, rule));
+            expected.push_back(form.domain == Domain::cell
+                                   ? p.over_triangle(at.triangle.area())
+                                   : quadrature(p, at.triangle, at.degree, facet, rule));
         }
         OneElement element(at);
         const std::string& name = GetParam().kernel;
@@ -233,13 +236,16 @@ TEST_P(Kernels, EqualTheirClosedForms) {
     ASSERT_TRUE(forms.contains(GetParam().kernel)) << "a kernel without a closed form here";
     const ClosedForm& form = forms.at(GetParam().kernel);
     constexpr int exact = 9;
-    const std::map<Domain, std::vector<int>> rules{
-        {Domain::cell, {exact}}, {Domain::facet, {exact}}, {Domain::contact, {0, 1, 3, 5, 7, 9}}, {Domain::nodes, {0}}};
+    const std::map<Domain, std::vector<int>> rules{{Domain::cell, {exact}},
+                                                   {Domain::facet, {exact}},
+                                                   {Domain::contact, {0, 1, 3, 5, 7, 9}},
+                                                   {Domain::nodes, {0}}};
     const bool is_contact = form.domain == Domain::contact || form.domain == Domain::nodes;
     for (std::size_t shape = 0; shape < triangles.size(); ++shape) {
         const Triangle& triangle = triangles[shape];
         const int degree = GetParam().degree;
-        for (const Situation& at : is_contact ? contact_situations(triangle, degree) : std::vector{body(triangle, degree)}) {
+        for (const Situation& at :
+             is_contact ? contact_situations(triangle, degree) : std::vector{body(triangle, degree)}) {
             for (std::size_t facet = 0; facet < (form.domain == Domain::cell ? 1U : 3U); ++facet) {
                 for (const int rule : rules.at(form.domain)) {
                     SCOPED_TRACE("triangle " + std::to_string(shape) + ", " + at.name + ", facet " +

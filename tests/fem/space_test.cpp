@@ -18,7 +18,8 @@ struct Case {
 class Spaces : public testing::TestWithParam<Case> {
   protected:
     static constexpr int nx = 3, ny = 2;
-    const mesh::Mesh mesh = mesh::make_rectangle({"rectangle", {0, 1}, {3, 2}, {nx, ny}, GetParam().diagonal});
+    const mesh::Mesh mesh =
+        mesh::make_rectangle({"rectangle", {0, 1}, {3, 2}, {nx, ny}, GetParam().diagonal});
     const Space space = make_space(mesh, GetParam().degree);
 };
 
@@ -43,8 +44,8 @@ TEST_P(Spaces, NodesAndPlacesCorrespond) {
     EXPECT_EQ(*used.rbegin(), space.dofmap.node_count - 1);
 }
 
-/// In every cell: vertices first, as in the mesh, then the midpoints of the edges opposite vertex 0, 1, 2. The midpoints
-/// of the grid's numbers of at most 4 binary digits are exact.
+/// In every cell: vertices first, as in the mesh, then the midpoints of the edges opposite vertex 0, 1, 2.
+/// The midpoints of the grid's numbers of at most 4 binary digits are exact.
 TEST_P(Spaces, NodesOfACellAreInBasixOrder) {
     for (int cell = 0; cell < mesh.cell_count(); ++cell) {
         const auto nodes = space.dofmap.of(cell);
@@ -53,7 +54,8 @@ TEST_P(Spaces, NodesOfACellAreInBasixOrder) {
             EXPECT_EQ(nodes[i], vertices[i]);
             EXPECT_EQ(space.nodes[nodes[i]], mesh.points[vertices[i]]);
             if (GetParam().degree == 2) {
-                const mesh::Point &p = mesh.points[vertices[(i + 1) % 3]], &q = mesh.points[vertices[(i + 2) % 3]];
+                const mesh::Point &p = mesh.points[vertices[(i + 1) % 3]],
+                                  &q = mesh.points[vertices[(i + 2) % 3]];
                 const mesh::Point middle{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, 0.0};
                 EXPECT_EQ(space.nodes[nodes[3 + i]], middle) << "cell " << cell << " edge " << i;
             }
@@ -72,8 +74,10 @@ TEST_P(Spaces, FacetNodesLieOnTheirSide) {
             EXPECT_EQ(space.nodes[node][axis], at);
         }
         if (nodes.size() == 3) {
-            const mesh::Point &p = space.nodes[nodes[0]], &q = space.nodes[nodes[1]], &middle = space.nodes[nodes[2]];
-            EXPECT_EQ(middle, (mesh::Point{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, 0.0})) << "the midpoint comes last";
+            const mesh::Point &p = space.nodes[nodes[0]], &q = space.nodes[nodes[1]],
+                              &middle = space.nodes[nodes[2]];
+            EXPECT_EQ(middle, (mesh::Point{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, 0.0}))
+                << "the midpoint comes last";
         }
     }
 }
@@ -81,7 +85,8 @@ TEST_P(Spaces, FacetNodesLieOnTheirSide) {
 TEST_P(Spaces, BoundaryNodesAreSortedAndAll) {
     for (std::int32_t boundary = 0; boundary < 4; ++boundary) {
         const auto nodes = space.boundary_nodes(mesh, boundary);
-        const int facets = mesh.boundary_names[boundary] == "bottom" || mesh.boundary_names[boundary] == "top" ? nx : ny;
+        const int facets =
+            mesh.boundary_names[boundary] == "bottom" || mesh.boundary_names[boundary] == "top" ? nx : ny;
         EXPECT_EQ(nodes.size(), static_cast<std::size_t>(GetParam().degree * facets + 1));
         EXPECT_EQ(std::adjacent_find(nodes.begin(), nodes.end(), std::greater_equal<>()), nodes.end())
             << "not strictly increasing";
@@ -99,9 +104,13 @@ TEST_P(Spaces, CellwiseSpaceHasOneNodeACell) {
 INSTANTIATE_TEST_SUITE_P(Meshes, Spaces,
                          testing::Values(Case{"right", 1}, Case{"right", 2}, Case{"left", 1}, Case{"left", 2},
                                          Case{"crossed", 1}, Case{"crossed", 2}),
-                         [](const auto& info) { return info.param.diagonal + "_" + std::to_string(info.param.degree); });
+                         [](const auto& info) {
+                             return info.param.diagonal + "_" + std::to_string(info.param.degree);
+                         });
 
-TEST(LagrangeElement, UnknownCell) { EXPECT_THROW(make_lagrange("heptagon", 1), std::logic_error); }
+TEST(LagrangeElement, UnknownCell) {
+    EXPECT_THROW(make_lagrange("heptagon", 1), std::logic_error);
+}
 
 }  // namespace
 }  // namespace thermocontact::fem

@@ -1,4 +1,5 @@
-/// One step of the scheme (MODEL.md, 3) as a full dense Newton solve: no condensation, no continuation, no kept factors.
+/// One step of the scheme (MODEL.md, 3) as a full dense Newton solve: no condensation, no continuation, no
+/// kept factors.
 #pragma once
 
 #include <Eigen/LU>
@@ -39,8 +40,9 @@ class FullStep {
             return Matrix::Zero(rows * n, columns * n);
         }
         auto kernel = fem::find_kernel(form, at_.mesh.cell, at_.scene.degree);
-        return support::dense(fem::assemble_matrix({std::move(kernel), at_.mesh, model::body_constants(at_.scene)},
-                                                   at_.space, at_.graph, rows, columns));
+        return support::dense(
+            fem::assemble_matrix({std::move(kernel), at_.mesh, model::body_constants(at_.scene)}, at_.space,
+                                 at_.graph, rows, columns));
     }
 
     struct Law {
@@ -48,7 +50,8 @@ class FullStep {
         fem::Form residual, jacobian;
     };
 
-    void add_law(std::vector<Law>& laws, const model::ContactSurface& surface, const std::string& name, double k, const fem::Fields& fields) const {
+    void add_law(std::vector<Law>& laws, const model::ContactSurface& surface, const std::string& name,
+                 double k, const fem::Fields& fields) const {
         const auto form = [&](const char* which) {
             return fem::Form(fem::find_kernel(name + which, at_.mesh.cell, at_.scene.degree), at_.mesh,
                              model::contact_constants(surface.laws, k), fields, surface.rule);
@@ -73,7 +76,9 @@ class FullStep {
                 std::vector<double> tensor(size * size, 0.0);
                 law.jacobian.add_facet(facet, tensor);
                 const auto nodes = at_.space.dofmap.of(facet.cell);
-                const auto dof = [&](std::size_t i) { return nodes[i / components] * components + i % components; };
+                const auto dof = [&](std::size_t i) {
+                    return nodes[i / components] * components + i % components;
+                };
                 for (std::size_t i = 0; i < size; ++i) {
                     for (std::size_t j = 0; j < size; ++j) {
                         sum(dof(i), dof(j)) += tensor[i * size + j];
@@ -84,9 +89,10 @@ class FullStep {
         return sum;
     }
 
-    /// A x + F(x) = r with the prescribed values kept, until the residual no longer falls. The forms read `x`.
-    void newton(const Matrix& A, const Vector& r, std::vector<Law>& laws, int components, const std::vector<char>& fixed,
-                std::vector<double>& x) const {
+    /// A x + F(x) = r with the prescribed values kept, until the residual no longer falls. The forms read
+    /// `x`.
+    void newton(const Matrix& A, const Vector& r, std::vector<Law>& laws, int components,
+                const std::vector<char>& fixed, std::vector<double>& x) const {
         const auto residual = [&] {
             Vector value = A * support::as_vector(x) + forces(laws, components) - r;
             for (std::size_t i = 0; i < fixed.size(); ++i) {
@@ -127,7 +133,8 @@ class FullStep {
         const Matrix V = matrix(scene.material->viscosity.has_value(), "viscosity.damping", 2, 2);
         const Matrix E = matrix(scene.material->elasticity.has_value(), "elasticity.stiffness", 2, 2);
         const Vector u = support::as_vector(old.displacement), w = support::as_vector(old.velocity);
-        Vector r = support::as_vector(model::Loads::mechanical(scene, at_.mesh, at_.space).at(time)) + M * w - E * u;
+        Vector r =
+            support::as_vector(model::Loads::mechanical(scene, at_.mesh, at_.space).at(time)) + M * w - E * u;
         if (scene.heat && scene.heat->thermal_stress) {
             r += matrix(true, "thermal_stress.coupling", 2, 1) * support::as_vector(old.temperature);
         }
@@ -170,10 +177,11 @@ class FullStep {
         std::vector<Law> laws;
         for (const auto& surface : at_.surfaces) {
             if (surface->laws.conductance) {
-                const fem::Fields fields{{"theta", {&now.temperature, 1, &at_.space.dofmap}},
-                                         {"theta_F", {&surface->foundation_temperature, 1, &at_.space.dofmap}},
-                                         {"u", {&u, 2, &at_.space.dofmap}},
-                                         {"g", {&surface->gap, 1, &at_.space.dofmap}}};
+                const fem::Fields fields{
+                    {"theta", {&now.temperature, 1, &at_.space.dofmap}},
+                    {"theta_F", {&surface->foundation_temperature, 1, &at_.space.dofmap}},
+                    {"u", {&u, 2, &at_.space.dofmap}},
+                    {"g", {&surface->gap, 1, &at_.space.dofmap}}};
                 add_law(laws, *surface, "conductance", 0.0, fields);
             }
         }

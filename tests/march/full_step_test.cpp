@@ -20,7 +20,9 @@ std::vector<Case> cases() {
             {"paper_isotropic", "paper-isotropic", {coarse}},
             {"paper_crossed", "paper", {coarse, "mesh.diagonal=\"crossed\""}},
             {"paper_quadratic", "paper-isotropic", {coarse, "space.degree=2"}},
-            {"paper_finite_limit", "paper-isotropic", {coarse, bottom + "conductance.limit=4.0", bottom + "conductance.coefficient=30.0"}},
+            {"paper_finite_limit",
+             "paper-isotropic",
+             {coarse, bottom + "conductance.limit=4.0", bottom + "conductance.coefficient=30.0"}},
             {"paper_sharp_friction", "paper", {coarse, bottom + "friction.regularisation=1e-8"}},
             {"paper_quadratic_law", "paper", {coarse, bottom + "compliance.exponent=2"}},
             {"paper_vertex_rule", "paper", {coarse, bottom + "quadrature=\"vertex\""}},
@@ -35,12 +37,15 @@ std::vector<Case> cases() {
 
 class Step : public testing::TestWithParam<Case> {};
 
-/// Both solve to 1e-13 of the terms in the balance; the systems' condition numbers are of the order of 10 to 100.
+/// Both solve to 1e-13 of the terms in the balance; the systems' condition numbers are of the order of 10 to
+/// 100.
 void expect_equal(const std::vector<double>& found, const std::vector<double>& expected, const char* field) {
     ASSERT_EQ(found.size(), expected.size()) << field;
     if (!found.empty()) {
         const Eigen::VectorXd difference = support::as_vector(found) - support::as_vector(expected);
-        EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-11 * support::as_vector(expected).cwiseAbs().maxCoeff()) << field;
+        EXPECT_LE(difference.cwiseAbs().maxCoeff(),
+                  1e-11 * support::as_vector(expected).cwiseAbs().maxCoeff())
+            << field;
     }
 }
 
@@ -61,7 +66,8 @@ TEST_P(Step, OfCondensationEqualsTheFullNewtonSolve) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Step, testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Scenes, Step, testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace thermocontact::march

@@ -9,9 +9,20 @@ namespace {
 
 using support::vector;
 
+/// Forces with memory of their own; the audit takes views.
+struct OwnedForces {
+    Eigen::VectorXd inertia, viscous, elastic, thermal, compliance, friction, load, reaction;
+
+    operator MomentumForces() const {
+        const auto view = [](const Eigen::VectorXd& v) { return ConstVectorMap(v.data(), v.size()); };
+        return {view(inertia),    view(viscous),  view(elastic), view(thermal),
+                view(compliance), view(friction), view(load),    view(reaction)};
+    }
+};
+
 /// One node with two components, numbers chosen to balance.
-MomentumForces balanced() {
-    MomentumForces forces;
+OwnedForces balanced() {
+    OwnedForces forces;
     forces.inertia = vector({1, -2});
     forces.viscous = vector({0.5, 0.25});
     forces.elastic = vector({2, 3});
@@ -28,7 +39,7 @@ constexpr double step = 0.5;
 const Eigen::VectorXd velocity = vector({2, -1});
 
 /// Energies whose change is the work of inertia and elasticity over the step.
-Energies energies_of(const MomentumForces& forces) {
+Energies energies_of(const OwnedForces& forces) {
     Energies energies;
     energies.kinetic_old = 3;
     energies.strain_old = 2;
@@ -40,30 +51,32 @@ Energies energies_of(const MomentumForces& forces) {
 }
 
 TEST(EnergyAudit, VanishesWhereTheForcesBalance) {
-    const MomentumForces forces = balanced();
+    const OwnedForces forces = balanced();
     EXPECT_LE(audit_energy(energies_of(forces), forces, velocity, step).residual, 1e-15);
 }
 
 TEST(EnergyAudit, SeesEveryTerm) {
-    const MomentumForces forces = balanced();
+    const OwnedForces forces = balanced();
     const Energies energies = energies_of(forces);
-    for (double Energies::*term : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical, &Energies::strain_old,
-                                   &Energies::strain, &Energies::strain_numerical}) {
+    for (double Energies::*term : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical,
+                                   &Energies::strain_old, &Energies::strain, &Energies::strain_numerical}) {
         Energies wrong = energies;
         wrong.*term += 0.01;
         EXPECT_GT(audit_energy(wrong, forces, velocity, step).residual, 1e-4);
     }
-    for (Eigen::VectorXd MomentumForces::*term : {&MomentumForces::viscous, &MomentumForces::thermal, &MomentumForces::compliance,
-                                                  &MomentumForces::friction, &MomentumForces::load, &MomentumForces::reaction}) {
-        MomentumForces wrong = forces;
+    for (Eigen::VectorXd OwnedForces::*term :
+         {&OwnedForces::viscous, &OwnedForces::thermal, &OwnedForces::compliance, &OwnedForces::friction,
+          &OwnedForces::load, &OwnedForces::reaction}) {
+        OwnedForces wrong = forces;
         (wrong.*term)[0] += 0.01;
         EXPECT_GT(audit_energy(energies, wrong, velocity, step).residual, 1e-4);
     }
 }
 
 TEST(ForceAudit, SumsEachComponent) {
-    MomentumForces forces;
-    for (Eigen::VectorXd MomentumForces::*term : {&MomentumForces::viscous, &MomentumForces::elastic, &MomentumForces::thermal}) {
+    OwnedForces forces;
+    for (Eigen::VectorXd OwnedForces::*term :
+         {&OwnedForces::viscous, &OwnedForces::elastic, &OwnedForces::thermal}) {
         forces.*term = vector({1, 2, -1, -2});  // internal forces sum to zero
     }
     forces.inertia = vector({1, 2, 3, 4});
@@ -73,13 +86,15 @@ TEST(ForceAudit, SumsEachComponent) {
     forces.reaction = vector({0, 0, -4, 10});
     const Audit audit = audit_forces(forces, 2);
     EXPECT_EQ(audit.residual, 0.0);
-    const Record expected{{"inertia_force_x", 4}, {"contact_force_x", -4}, {"load_force_x", 4}, {"reaction_force_x", -4},
-                          {"inertia_force_y", 6}, {"contact_force_y", 10}, {"load_force_y", 6}, {"reaction_force_y", 10}};
+    const Record expected{{"inertia_force_x", 4},   {"contact_force_x", -4}, {"load_force_x", 4},
+                          {"reaction_force_x", -4}, {"inertia_force_y", 6},  {"contact_force_y", 10},
+                          {"load_force_y", 6},      {"reaction_force_y", 10}};
     EXPECT_EQ(audit.terms, expected);
-    forces.reaction[3] += 0.5;  // of a total magnitude of 46.5 in both components
+    forces.reaction[3] += 0.5;  // of nodal magnitudes 10 + 10 + 4 + 10 + 14.5
     EXPECT_DOUBLE_EQ(audit_forces(forces, 2).residual, 0.5 / 48.5);
     forces = {};
-    forces.inertia = forces.compliance = forces.friction = forces.load = forces.reaction = vector({0, 0, 0, 0});
+    forces.inertia = forces.compliance = forces.friction = forces.load = forces.reaction =
+        vector({0, 0, 0, 0});
     EXPECT_EQ(audit_forces(forces, 2).residual, 0.0) << "nothing happens";
 }
 

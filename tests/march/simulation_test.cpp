@@ -37,7 +37,8 @@ std::string failure_of(Simulation& simulation) {
 struct Presence {
     std::string scene;
     bool mechanics, heat;
-    std::size_t contact_unknowns;  ///< on 17 nodes (paper: 33, heat-only: 25); the corners' temperature is prescribed
+    std::size_t
+        contact_unknowns;  ///< on 17 nodes (paper: 33, heat-only: 25); the corners' temperature is prescribed
 };
 
 class EveryScene : public testing::TestWithParam<Presence> {};
@@ -84,8 +85,9 @@ TEST_P(EveryScene, AuditsAreSmallAndTermsFinite) {
         }
         if (GetParam().mechanics) {
             // the second law: neither viscosity nor friction nor the scheme gives energy away
-            for (const char* name : {"viscous_dissipation", "friction_dissipation", "kinetic_numerical_dissipation",
-                                     "strain_numerical_dissipation", "kinetic_energy", "strain_energy"}) {
+            for (const char* name :
+                 {"viscous_dissipation", "friction_dissipation", "kinetic_numerical_dissipation",
+                  "strain_numerical_dissipation", "kinetic_energy", "strain_energy"}) {
                 EXPECT_GE(value(record, name), 0.0) << name;
             }
         }
@@ -97,22 +99,26 @@ TEST_P(EveryScene, AuditsAreSmallAndTermsFinite) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
-                         testing::Values(Presence{"paper", true, true, 3 * 33 - 2}, Presence{"elastic", true, true, 3 * 17 - 2},
+                         testing::Values(Presence{"paper", true, true, 3 * 33 - 2},
+                                         Presence{"elastic", true, true, 3 * 17 - 2},
                                          Presence{"frictionless", true, true, 3 * 17 - 2},
                                          Presence{"isothermal", true, false, 2 * 17},
                                          Presence{"quasi-static", true, true, 3 * 17 - 2},
-                                         Presence{"no-contact", true, true, 0}, Presence{"heat-only", false, true, 25}),
+                                         Presence{"no-contact", true, true, 0},
+                                         Presence{"heat-only", false, true, 25}),
                          [](const auto& info) {
                              std::string name = info.param.scene;
                              std::ranges::replace(name, '-', '_');
                              return name;
                          });
 
-/// Friction regularised at 1e-12, far below round-off of the velocities' products: only the ladder gets there.
+/// Friction regularised at 1e-12, far below round-off of the velocities' products: only the ladder gets
+/// there.
 class SharpFriction : public testing::TestWithParam<std::string> {};
 
 TEST_P(SharpFriction, CompletesWithSmallAudits) {
-    const scene::Scene scene = repository_scene(GetParam(), {"boundary.bottom.contact.friction.regularisation=1e-12"});
+    const scene::Scene scene =
+        repository_scene(GetParam(), {"boundary.bottom.contact.friction.regularisation=1e-12"});
     ASSERT_EQ(scene.mesh.cells, (std::vector<int>{32, 32}));
     Simulation simulation(scene);
     while (!simulation.finished()) {
@@ -125,18 +131,21 @@ TEST_P(SharpFriction, CompletesWithSmallAudits) {
     EXPECT_LE(simulation.totals().force_residual, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SharpFriction, testing::Values("paper", "paper-isotropic"), [](const auto& info) {
-    return std::string(info.param == "paper" ? "literal" : "isotropic");
-});
+INSTANTIATE_TEST_SUITE_P(Scenes, SharpFriction, testing::Values("paper", "paper-isotropic"),
+                         [](const auto& info) {
+                             return std::string(info.param == "paper" ? "literal" : "isotropic");
+                         });
 
-/// A body that nothing holds falls as the scheme has it: w_n = w_0 + n k g, u_n = w_0 t + g k^2 n (n + 1)/2, without
-/// strain. Round-off of each step is amplified by the condition of rho M/k + k E, some 1000 here.
+/// A body that nothing holds falls as the scheme has it: w_n = w_0 + n k g, u_n = w_0 t + g k^2 n (n + 1)/2,
+/// without strain. Round-off of each step is amplified by the condition of rho M/k + k E, some 1000 here.
 TEST(Simulation, FreeFall) {
     for (const int degree : {1, 2}) {
         const scene::Scene scene = scene::read(
-            "mesh = {cells = [5, 4], upper = [2, 1]}\ntime = {end = 1, steps = 8}\nspace.degree = " + std::to_string(degree) +
+            "mesh = {cells = [5, 4], upper = [2, 1]}\ntime = {end = 1, steps = 8}\nspace.degree = " +
+            std::to_string(degree) +
             "\nmaterial.density = 2.5\nmaterial.elasticity = {young = 30, poisson = 0.3}\n"
-            "material.viscosity = {trace = 1, shear = 2}\nload.body_force = [2.5, -25]\ninitial.velocity = [\"1\", \"3\"]\n");
+            "material.viscosity = {trace = 1, shear = 2}\nload.body_force = [2.5, -25]\ninitial.velocity = "
+            "[\"1\", \"3\"]\n");
         Simulation simulation(scene);
         const double k = 1.0 / 8, g[2] = {1, -10}, w_0[2] = {1, 3};
         while (!simulation.finished()) {
@@ -144,9 +153,11 @@ TEST(Simulation, FreeFall) {
             const int n = simulation.state().step;
             for (std::size_t i = 0; i < simulation.state().velocity.size(); ++i) {
                 EXPECT_NEAR(simulation.state().velocity[i], w_0[i % 2] + n * k * g[i % 2], 1e-12);
-                EXPECT_NEAR(simulation.state().displacement[i], w_0[i % 2] * n * k + g[i % 2] * k * k * n * (n + 1) / 2, 1e-12);
+                EXPECT_NEAR(simulation.state().displacement[i],
+                            w_0[i % 2] * n * k + g[i % 2] * k * k * n * (n + 1) / 2, 1e-12);
             }
-            EXPECT_LE(value(simulation.norms(), "displacement_strain_l2"), 1e-11);
+            // a square good to some 100 epsilon |u|^2, |u| < 5, then its root
+            EXPECT_LE(value(simulation.norms(), "displacement_strain_l2"), 5 * std::sqrt(100 * 2.2e-16));
             // sqrt(area |w|^2), area 2
             const double speed = std::hypot(1 + n * k, 3 - 10 * n * k);
             EXPECT_NEAR(value(simulation.norms(), "velocity_l2"), std::sqrt(2.0) * speed, 1e-12 * 10);
@@ -190,14 +201,16 @@ displacement = ["free", "t*(1 - t)*y"]
     EXPECT_LE(simulation.totals().force_residual, 1e-9);
 }
 
-/// A bar pulled without inertia, its sides free to contract: sigma_yy = E d/H in plane stress, E/(1 - nu^2) d/H in plane
-/// strain; lateral strain -nu d/H and -nu/(1 - nu) d/H. Velocities are (u_n - u_{n-1})/k.
+/// A bar pulled without inertia, its sides free to contract: sigma_yy = E d/H in plane stress, E/(1 - nu^2)
+/// d/H in plane strain; lateral strain -nu d/H and -nu/(1 - nu) d/H. Velocities are (u_n - u_{n-1})/k.
 TEST(Simulation, QuasiStaticBar) {
     const double young = 5, nu = 0.3, height = 2, width = 1;
     for (const bool strain : {false, true}) {
         const scene::Scene scene = scene::read(
             "mesh = {cells = [3, 5], upper = [1, 2], diagonal = \"crossed\"}\ntime = {end = 1, steps = 4}\n"
-            "material.elasticity = {young = 5, poisson = 0.3, plane = \"" + std::string(strain ? "strain" : "stress") + "\"}\n"
+            "material.elasticity = {young = 5, poisson = 0.3, plane = \"" +
+            std::string(strain ? "strain" : "stress") +
+            "\"}\n"
             "boundary.bottom.displacement = [\"free\", 0]\nboundary.left.displacement = [0, \"free\"]\n"
             "boundary.top.displacement = [\"free\", \"0.1*t^2\"]\n");
         Simulation simulation(scene);
@@ -209,12 +222,14 @@ TEST(Simulation, QuasiStaticBar) {
                 const mesh::Point& x = simulation.space().nodes[node];
                 EXPECT_NEAR(simulation.state().displacement[2 * node], -lateral * d / height * x[0], 1e-14);
                 EXPECT_NEAR(simulation.state().displacement[2 * node + 1], d / height * x[1], 1e-14);
-                EXPECT_NEAR(simulation.state().velocity[2 * node + 1], (d - d_old) / 0.25 / height * x[1], 1e-13);
+                EXPECT_NEAR(simulation.state().velocity[2 * node + 1], (d - d_old) / 0.25 / height * x[1],
+                            1e-13);
             }
             d_old = d;
             // strain energy: sigma_yy eps_yy / 2 over the area; reactions of bottom and top cancel
             const double stress = (strain ? young / (1 - nu * nu) : young) * d / height;
-            EXPECT_NEAR(value(simulation.record(), "strain_energy"), stress * d / height / 2 * width * height, 1e-14);
+            EXPECT_NEAR(value(simulation.record(), "strain_energy"), stress * d / height / 2 * width * height,
+                        1e-14);
             EXPECT_NEAR(value(simulation.record(), "reaction_force_y"), 0.0, 1e-13);
             EXPECT_EQ(value(simulation.record(), "kinetic_energy"), 0.0);
         }
@@ -232,12 +247,15 @@ struct Column {
 const std::vector<Column> columns{
     {"adiabatic_source", "heat = {capacity = 2, conductivity = 3, source = \"5\"}\ninitial.temperature = 7\n",
      [](double, double t) { return 7 + 2.5 * t; }},
-    {"adiabatic_flux_of_both_sides", "heat = {capacity = 2}\nboundary.left.heat_flux = 3\nboundary.right.heat_flux = -3\n",
+    {"adiabatic_flux_of_both_sides",
+     "heat = {capacity = 2}\nboundary.left.heat_flux = 3\nboundary.right.heat_flux = -3\n",
      nullptr},  // its total only
     {"steady_between_two_temperatures",
      "heat.conductivity = 3\nboundary.bottom.temperature = 0\nboundary.top.temperature = \"1 + t\"\n",
      [](double y, double t) { return (1 + t) * y; }},
-    {"steady_flux", "heat.conductivity = [[3, 0], [0, 2]]\nboundary.bottom.temperature = 1\nboundary.top.heat_flux = \"6*t\"\n",
+    {"steady_flux",
+     "heat.conductivity = [[3, 0], [0, 2]]\nboundary.bottom.temperature = 1\nboundary.top.heat_flux = "
+     "\"6*t\"\n",
      [](double y, double t) { return 1 + 3 * t * y; }},
     {"steady_conductance",
      "heat.conductivity = 2\nboundary.top.heat_flux = 6\n[boundary.bottom.contact]\ngap = -1\n"
@@ -256,14 +274,16 @@ const std::vector<Column> columns{
      "conductance = {coefficient = 4, onset = 0.5, foundation_temperature = -100, limit = 2}\n",
      [](double y, double) { return 1 - 4 * (1 - y); }},
     {"open_contact_is_insulation",
-     "heat.conductivity = 2\nboundary.top.temperature = \"t\"\nboundary.bottom.heat_flux = 3\n[boundary.bottom.contact]\ngap = 0.1\n"
+     "heat.conductivity = 2\nboundary.top.temperature = \"t\"\nboundary.bottom.heat_flux = "
+     "3\n[boundary.bottom.contact]\ngap = 0.1\n"
      "conductance = {coefficient = 4, onset = 0.5, foundation_temperature = 100}\n",
      [](double y, double t) { return t + 1.5 * (1 - y); }}};
 
 class HeatColumn : public testing::TestWithParam<Column> {};
 
 TEST_P(HeatColumn, EqualsItsClosedForm) {
-    const scene::Scene scene = scene::read("mesh.cells = [3, 4]\ntime = {end = 1, steps = 4}\n" + GetParam().text);
+    const scene::Scene scene =
+        scene::read("mesh.cells = [3, 4]\ntime = {end = 1, steps = 4}\n" + GetParam().text);
     Simulation simulation(scene);
     while (!simulation.finished()) {
         simulation.advance();
@@ -276,13 +296,15 @@ TEST_P(HeatColumn, EqualsItsClosedForm) {
         }
         for (std::size_t node = 0; node < state.temperature.size(); ++node) {
             const double y = simulation.space().nodes[node][1];
-            EXPECT_NEAR(state.temperature[node], GetParam().theta(y, state.time), 1e-11) << "y = " << y << " t = " << state.time;
+            EXPECT_NEAR(state.temperature[node], GetParam().theta(y, state.time), 1e-11)
+                << "y = " << y << " t = " << state.time;
         }
     }
     EXPECT_LE(simulation.totals().heat_residual, 1e-9) << "also where inflow and outflow cancel";
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, HeatColumn, testing::ValuesIn(columns), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Laws, HeatColumn, testing::ValuesIn(columns),
+                         [](const auto& info) { return info.param.name; });
 
 /// Scenes that fail in step 2 of 4, after a first step without contact.
 struct Failing {
@@ -303,15 +325,22 @@ const std::vector<Failing> failing{
     {"friction",
      "[boundary.bottom.contact]\ngap = \"t < 0.3 ? 1 : -0.1*x\"\ncompliance.stiffness = 1e4\n"
      "friction = {coefficient = 0.5, regularisation = 1e-12}\n",
-     {"step 2", "t = 0.5", "momentum balance", "Newton stopped after 1 iterations", "too many Newton iterations", "continuation",
-      "friction.regularisation", "time.steps", "solver.max_iterations"}},
-    {"compliance", "[boundary.bottom.contact]\ngap = \"t < 0.3 ? 1 : 0.3*x\"\ncompliance = {stiffness = 1e4, exponent = 2}\n",
+     {"step 2", "t = 0.5", "momentum balance", "Newton stopped after 1 iterations",
+      "too many Newton iterations", "continuation", "friction.regularisation", "time.steps",
+      "solver.max_iterations"}},
+    {"compliance",
+     "[boundary.bottom.contact]\ngap = \"t < 0.3 ? 1 : 0.3*x\"\ncompliance = {stiffness = 1e4, exponent = "
+     "2}\n",
      {"step 2", "t = 0.5", "momentum balance", "Newton stopped after 1 iterations", "time.steps"}},
     {"conductance",
-     "[heat]\ncapacity = 1\nconductivity = 1\nthermal_stress = 0.1\nstrain_heating = 0.1\n[boundary.bottom.contact]\ngap = -1\n"
-     "conductance = {coefficient = 1e3, onset = 1e-3, foundation_temperature = \"t < 0.3 ? 0 : 10\", limit = 5}\n",
+     "[heat]\ncapacity = 1\nconductivity = 1\nthermal_stress = 0.1\nstrain_heating = "
+     "0.1\n[boundary.bottom.contact]\ngap = -1\n"
+     "conductance = {coefficient = 1e3, onset = 1e-3, foundation_temperature = \"t < 0.3 ? 0 : 10\", limit = "
+     "5}\n",
      {"step 2", "t = 0.5", "heat balance", "Newton stopped after 1 iterations", "time.steps"}},
-    {"not_finite", "boundary.left.traction = [\"t < 0.3 ? 0 : 1e308*10\", 0]\n", {"1e308*10", "t = 0.5", "finite"}}};
+    {"not_finite",
+     "boundary.left.traction = [\"t < 0.3 ? 0 : 1e308*10\", 0]\n",
+     {"1e308*10", "t = 0.5", "finite"}}};
 
 class Failures : public testing::TestWithParam<Failing> {};
 
@@ -348,11 +377,13 @@ TEST_P(Failures, RestoreTheStateAndSayWhatHappened) {
     EXPECT_EQ(simulation.state().velocity, before.velocity);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, Failures, testing::ValuesIn(failing), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Laws, Failures, testing::ValuesIn(failing),
+                         [](const auto& info) { return info.param.name; });
 
 /// Whether a step that failed left traces: after it, the momentum's own memory is that of the state.
 TEST(Simulation, AFailedHeatStepDoesNotDisturbTheMomentum) {
-    const scene::Scene scene = scene::read(falling + failing[2].text), patient = scene::read(falling + failing[2].text, {"solver.max_iterations=50"});
+    const scene::Scene scene = scene::read(falling + failing[2].text),
+                       patient = scene::read(falling + failing[2].text, {"solver.max_iterations=50"});
     Simulation failed(scene), undisturbed(patient);
     failed.advance();
     undisturbed.advance();
@@ -368,7 +399,8 @@ struct Singular {
 class SingularScenes : public testing::TestWithParam<Singular> {};
 
 TEST_P(SingularScenes, AreRefusedBeforeTheFirstStep) {
-    const scene::Scene scene = scene::read("mesh.cells = [3, 3]\ntime = {end = 1, steps = 2}\n" + GetParam().text);
+    const scene::Scene scene =
+        scene::read("mesh.cells = [3, 3]\ntime = {end = 1, steps = 2}\n" + GetParam().text);
     try {
         Simulation simulation(scene);
         FAIL() << "no exception";
@@ -376,20 +408,22 @@ TEST_P(SingularScenes, AreRefusedBeforeTheFirstStep) {
         EXPECT_NE(std::string(error.what()).find(GetParam().equation), std::string::npos) << error.what();
         EXPECT_NE(std::string(error.what()).find("singular"), std::string::npos) << error.what();
     }
-    const scene::Scene cured = scene::read("mesh.cells = [3, 3]\ntime = {end = 1, steps = 2}\n" + GetParam().text + GetParam().cure);
+    const scene::Scene cured =
+        scene::read("mesh.cells = [3, 3]\ntime = {end = 1, steps = 2}\n" + GetParam().text + GetParam().cure);
     EXPECT_NO_THROW(Simulation(cured).advance());
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, SingularScenes,
-                         testing::Values(Singular{"loose_body", "material.elasticity = {young = 1, poisson = 0.1}\n",
-                                                  "momentum balance", "material.density = 1\n"},
-                                         Singular{"body_on_a_roller",
-                                                  "material.elasticity = {young = 1, poisson = 0.1}\n"
-                                                  "boundary.top.displacement = [\"free\", 0]\n",
-                                                  "momentum balance", "boundary.left.displacement = [0, \"free\"]\n"},
-                                         Singular{"insulated_body", "heat.conductivity = 1\n", "heat balance",
-                                                  "heat.capacity = 1\n"}),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, SingularScenes,
+    testing::Values(Singular{"loose_body", "material.elasticity = {young = 1, poisson = 0.1}\n",
+                             "momentum balance", "material.density = 1\n"},
+                    Singular{"body_on_a_roller",
+                             "material.elasticity = {young = 1, poisson = 0.1}\n"
+                             "boundary.top.displacement = [\"free\", 0]\n",
+                             "momentum balance", "boundary.left.displacement = [0, \"free\"]\n"},
+                    Singular{"insulated_body", "heat.conductivity = 1\n", "heat balance",
+                             "heat.capacity = 1\n"}),
+    [](const auto& info) { return info.param.name; });
 
 /// The same scene twice gives the same bits: nothing depends on addresses, threads or what ran before.
 TEST(Simulation, IsReproducible) {

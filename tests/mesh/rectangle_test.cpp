@@ -51,14 +51,15 @@ class Rectangle : public testing::TestWithParam<Case> {
 
 TEST_P(Rectangle, Counts) {
     EXPECT_EQ(mesh.cell_count(), (crossed() ? 4 : 2) * nx() * ny());
-    EXPECT_EQ(mesh.points.size(), static_cast<std::size_t>((nx() + 1) * (ny() + 1) + (crossed() ? nx() * ny() : 0)));
+    EXPECT_EQ(mesh.points.size(),
+              static_cast<std::size_t>((nx() + 1) * (ny() + 1) + (crossed() ? nx() * ny() : 0)));
     EXPECT_EQ(mesh.vertices_per_cell, 3);
     EXPECT_EQ(mesh.dimension, 2);
     EXPECT_EQ(mesh.cell, "triangle");
 }
 
-/// The cells have equal areas. A cell's area is a difference of products of coordinates up to |x|, each rounded: an error of a few
-/// epsilon |x| (width + height).
+/// The cells have equal areas. A cell's area is a difference of products of coordinates up to |x|, each
+/// rounded: an error of a few epsilon |x| (width + height).
 TEST_P(Rectangle, CellsShareTheAreaEqually) {
     const double width = spec().upper[0] - spec().lower[0], height = spec().upper[1] - spec().lower[1];
     double farthest = 0, sum = 0;
@@ -166,7 +167,8 @@ TEST_P(Rectangle, DiagonalIsTheOneAskedFor) {
     EXPECT_EQ(common, shared.at(spec().diagonal));
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Rectangle, testing::ValuesIn(cases()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Shapes, Rectangle, testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
 
 TEST(BoundaryNames, OfShapes) {
     EXPECT_EQ(boundary_names("rectangle"), (std::vector<std::string>{"bottom", "left", "right", "top"}));

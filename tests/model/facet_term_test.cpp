@@ -19,9 +19,10 @@ constexpr double facet_length = 0.5;  ///< of the bottom's two facets, m
 std::string contact_scene(double exponent, double regularisation) {
     return "mesh.cells = [2, 1]\ntime = {end = 0.1, steps = 1}\nmaterial.density = 1\n"
            "material.elasticity = {young = 1, poisson = 0.2}\n[boundary.bottom.contact]\n"
-           "compliance = {stiffness = " + std::to_string(stiffness) + ", exponent = " + std::to_string(exponent) + "}\n" +
-           "friction = {coefficient = " + std::to_string(friction) + ", regularisation = " + std::to_string(regularisation * 1e9) +
-           "e-9}\n";
+           "compliance = {stiffness = " +
+           std::to_string(stiffness) + ", exponent = " + std::to_string(exponent) + "}\n" +
+           "friction = {coefficient = " + std::to_string(friction) +
+           ", regularisation = " + std::to_string(regularisation * 1e9) + "e-9}\n";
 }
 
 enum class Closure { open, touching, closed };
@@ -55,10 +56,16 @@ std::vector<Case> cases() {
 class Bottom {
   public:
     Bottom(const Case& state)
-        : state_(state), at_(contact_scene(state.exponent, state.regularisation)), term_(at_.space, 2, velocity_) {
+        : state_(state),
+          at_(contact_scene(state.exponent, state.regularisation)),
+          term_(at_.space, 2, velocity_) {
         // the outward normal is -y: u_n = -u_y. No motion along it, so that r is that of u_old alone.
-        old_displacement_ = at_.nodal([&](double, double) { return std::array<double, 2>{0.0, -state.penetration}; });
-        velocity_ = at_.nodal([&](double, double) { return std::array<double, 2>{state.slip * state.regularisation, 0.0}; });
+        old_displacement_ = at_.nodal([&](double, double) {
+            return std::array<double, 2>{0.0, -state.penetration};
+        });
+        velocity_ = at_.nodal([&](double, double) {
+            return std::array<double, 2>{state.slip * state.regularisation, 0.0};
+        });
         const ContactSurface& surface = *at_.surfaces.front();
         const fem::Fields fields{{"w", {&velocity_, 2, &at_.space.dofmap}},
                                  {"u_old", {&old_displacement_, 2, &at_.space.dofmap}},
@@ -106,15 +113,15 @@ class Bottom {
     Eigen::VectorXd x_;
 };
 
-/// A central difference with step h errs by h^2/6 max|F'''| (truncation) and by noise(F)/h (round-off). Noise: F is a
-/// sum of products of p_n(r), r being good to a few epsilon |r| and w_t to a few epsilon |w_t|.
+/// A central difference with step h errs by h^2/6 max|F'''| (truncation) and by noise(F)/h (round-off).
+/// Noise: F is a sum of products of p_n(r), r being good to a few epsilon |r| and w_t to a few epsilon |w_t|.
 struct Difference {
     double step;
     double tolerance;
 };
 
-/// Along x only the friction's direction w_t/|w_t|_eps varies: its third derivative is at most 3/eps^3, its first 1/eps.
-/// h = eps * machine epsilon^(1/3) balances the two errors.
+/// Along x only the friction's direction w_t/|w_t|_eps varies: its third derivative is at most 3/eps^3, its
+/// first 1/eps. h = eps * machine epsilon^(1/3) balances the two errors.
 Difference tangential(const Case& state) {
     const double machine = std::numeric_limits<double>::epsilon();
     const double p = stiffness * std::pow(std::max(state.penetration, 0.0), state.exponent);
@@ -125,8 +132,8 @@ Difference tangential(const Case& state) {
     return {step, truncation + noise};
 }
 
-/// Along y only p_n varies, a polynomial of degree 1 or 2 as long as r keeps its sign: no truncation error. The step
-/// moves r by a thousandth.
+/// Along y only p_n varies, a polynomial of degree 1 or 2 as long as r keeps its sign: no truncation error.
+/// The step moves r by a thousandth.
 Difference normal(const Case& state) {
     const double machine = std::numeric_limits<double>::epsilon();
     const double r = std::abs(state.penetration);
@@ -135,8 +142,9 @@ Difference normal(const Case& state) {
     return {step, state.closure() == Closure::open ? 0.0 : 16 * machine * force / step};
 }
 
-/// At r = 0 the derivative is that of closing: a difference to that side (-y), r from 0 to k h. For exponent 1 exact up
-/// to round-off, for exponent 2 the truncation error is h/2 F'' = h c_n k^2 times the shape functions' products.
+/// At r = 0 the derivative is that of closing: a difference to that side (-y), r from 0 to k h. For exponent
+/// 1 exact up to round-off, for exponent 2 the truncation error is h/2 F'' = h c_n k^2 times the shape
+/// functions' products.
 Difference closing(const Case& state) {
     const double step = 1e-6;
     const double force = (1 + friction) * stiffness * std::pow(k * step, state.exponent) * 2 * facet_length;
@@ -147,8 +155,8 @@ Difference closing(const Case& state) {
 TEST(FacetTerm, DerivativeEqualsDifferences) {
     for (const Case& state : cases()) {
         SCOPED_TRACE("epsilon " + std::to_string(std::log10(state.regularisation)) + " exponent " +
-                     std::to_string(state.exponent) + " r " + std::to_string(1e10 * state.penetration) + "e-10 slip " +
-                     std::to_string(state.slip));
+                     std::to_string(state.exponent) + " r " + std::to_string(1e10 * state.penetration) +
+                     "e-10 slip " + std::to_string(state.slip));
         Bottom bottom(state);
         const Eigen::MatrixXd derivative = bottom.derivative();
         for (Eigen::Index i = 0; i < bottom.x().size(); ++i) {
@@ -156,13 +164,15 @@ TEST(FacetTerm, DerivativeEqualsDifferences) {
             const Difference by = along ? tangential(state) : one_sided ? closing(state) : normal(state);
             const double up = one_sided ? 0.0 : by.step;
             const Eigen::VectorXd difference =
-                (bottom.value(bottom.shifted(i, up)) - bottom.value(bottom.shifted(i, -by.step))) / (up + by.step);
+                (bottom.value(bottom.shifted(i, up)) - bottom.value(bottom.shifted(i, -by.step))) /
+                (up + by.step);
             ASSERT_LE((difference - derivative.col(i)).cwiseAbs().maxCoeff(), by.tolerance) << "column " << i;
         }
     }
 }
 
-/// Contact that just touches counts as closed: derivative c_n k (phi_i n, phi_j n), by Simpson's rule of two facets.
+/// Contact that just touches counts as closed: derivative c_n k (phi_i n, phi_j n), by Simpson's rule of two
+/// facets.
 TEST(FacetTerm, TouchingIsClosed) {
     Bottom bottom({1e-3, 1.0, 0.0, 0.0});
     const Eigen::MatrixXd derivative = bottom.derivative();
@@ -235,20 +245,24 @@ TEST(FacetTerm, RestrictedToSomeDofs) {
     EXPECT_DOUBLE_EQ(some(1, 1), 1 + all(2, 2));
 }
 
-/// The heat's contact term: conductance on its slope and in full, the limit not reached, reached from both sides.
+/// The heat's contact term: conductance on its slope and in full, the limit not reached, reached from both
+/// sides.
 TEST(FacetTerm, ConductanceDerivativeEqualsDifferences) {
     struct HeatCase {
         double penetration, temperature, expected_slope;  ///< d(k_c phi_L)/d theta
     };
     const double k_c = 3, onset = 1e-3, limit = 5;
-    for (const HeatCase& state : {HeatCase{-1e-4, 1, 0}, HeatCase{0, 1, 0}, HeatCase{0.5e-3, 1, 1.5}, HeatCase{2e-3, 1, 3},
-                                  HeatCase{2e-3, 4.999, 3}, HeatCase{2e-3, 5.001, 0}, HeatCase{2e-3, -4.999, 3},
-                                  HeatCase{2e-3, -5.001, 0}}) {
+    for (const HeatCase& state : {HeatCase{-1e-4, 1, 0}, HeatCase{0, 1, 0}, HeatCase{0.5e-3, 1, 1.5},
+                                  HeatCase{2e-3, 1, 3}, HeatCase{2e-3, 4.999, 3}, HeatCase{2e-3, 5.001, 0},
+                                  HeatCase{2e-3, -4.999, 3}, HeatCase{2e-3, -5.001, 0}}) {
         support::Discretisation at(
             "mesh.cells = [2, 1]\ntime = {end = 1, steps = 1}\nheat.capacity = 1\n"
-            "boundary.bottom.contact.conductance = {coefficient = 3, onset = 1e-3, foundation_temperature = 0, limit = 5}\n");
+            "boundary.bottom.contact.conductance = {coefficient = 3, onset = 1e-3, foundation_temperature = "
+            "0, limit = 5}\n");
         std::vector<double> theta(at.node_count(), state.temperature);
-        const auto u = at.nodal([&](double, double) { return std::array<double, 2>{0.0, -state.penetration}; });
+        const auto u = at.nodal([&](double, double) {
+            return std::array<double, 2>{0.0, -state.penetration};
+        });
         const ContactSurface& surface = *at.surfaces.front();
         FacetTerm term(at.space, 1, theta);
         term.add("conductance", at.mesh, surface, contact_constants(surface.laws, 0.0),

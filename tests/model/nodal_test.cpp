@@ -88,8 +88,8 @@ double total(const std::vector<double>& load, std::size_t component, std::size_t
     return sum;
 }
 
-/// Loads linear in x and y are integrated exactly: their totals are integrals over body and sides. Sums of some 60
-/// numbers of the order of 1.
+/// Loads linear in x and y are integrated exactly: their totals are integrals over body and sides. Sums of
+/// some 60 numbers of the order of 1.
 TEST_P(Degrees, MechanicalLoads) {
     const Discretisation at = with(
         "load.body_force = [\"3 + x\", \"-2*t\"]\n[boundary.left]\ntraction = [\"1.5*t^2\", 0.0]\n"
@@ -115,7 +115,8 @@ TEST_P(Degrees, LoadsWithoutTimeAreAssembledOnce) {
     Loads loads = Loads::mechanical(at.scene, at.mesh, at.space);
     EXPECT_EQ(&loads.at(0.0), &loads.at(1.0));
     const Discretisation none = with("");
-    EXPECT_EQ(Loads::mechanical(none.scene, none.mesh, none.space).at(0.0), std::vector<double>(2 * none.node_count(), 0.0));
+    EXPECT_EQ(Loads::mechanical(none.scene, none.mesh, none.space).at(0.0),
+              std::vector<double>(2 * none.node_count(), 0.0));
 }
 
 /// A traction acts on its own side only.
@@ -131,7 +132,8 @@ TEST_P(Degrees, TractionsStayOnTheirSide) {
     EXPECT_TRUE(facets_of(at.mesh, "nowhere").empty());
 }
 
-/// Gap and foundation temperature follow the time where they depend on it; a value that is not finite stops the run.
+/// Gap and foundation temperature follow the time where they depend on it; a value that is not finite stops
+/// the run.
 TEST_P(Degrees, ContactFieldsFollowTime) {
     Discretisation at = with(
         "[boundary.bottom.contact]\ngap = \"x + t\"\n"
@@ -170,7 +172,9 @@ TEST_P(Degrees, NodesWithALaw) {
 TEST(ContactSurface, RuleOfADegree) {
     for (const auto& [quadrature, rule] : std::vector<std::pair<std::string, int>>{
              {"\"vertex\"", 0}, {"1", 1}, {"2", 3}, {"3", 3}, {"4", 5}, {"5", 5}, {"6", 7}, {"8", 9}}) {
-        const Discretisation at(body + "boundary.bottom.contact.compliance.stiffness = 1\nboundary.bottom.contact.quadrature = " + quadrature);
+        const Discretisation at(
+            body + "boundary.bottom.contact.compliance.stiffness = 1\nboundary.bottom.contact.quadrature = " +
+            quadrature);
         EXPECT_EQ(at.surfaces.front()->rule, rule) << quadrature;
     }
 }

@@ -40,7 +40,9 @@ class Contact : public testing::TestWithParam<int> {
         w = at.nodal(velocity);
         theta.assign(at.node_count(), temperature);
     }
-    ContactProbe probe(std::size_t surface) { return {*at.surfaces[surface], at.mesh, at.space, 2, {&u, &w, &theta}}; }
+    ContactProbe probe(std::size_t surface) {
+        return {*at.surfaces[surface], at.mesh, at.space, 2, {&u, &w, &theta}};
+    }
 
     Discretisation at;
     std::vector<double> u, w, theta;
@@ -50,9 +52,17 @@ INSTANTIATE_TEST_SUITE_P(Degree, Contact, testing::Values(1, 2));
 using Vector = std::array<double, 2>;
 constexpr double round_off = 1e-13;  ///< relative, sums over 8 facets
 
-/// The bottom (length 2, normal -y) sinks by 0.6, 0.1 beyond its gap, and slides at 0.4; the body is 5 K too hot, limited to 2.
+/// The bottom (length 2, normal -y) sinks by 0.6, 0.1 beyond its gap, and slides at 0.4; the body is 5 K too
+/// hot, limited to 2.
 TEST_P(Contact, ClosedEverywhere) {
-    move([](double, double) { return Vector{0, -0.6}; }, [](double, double) { return Vector{0.4, 0.7}; }, 6.0);
+    move(
+        [](double, double) {
+            return Vector{0, -0.6};
+        },
+        [](double, double) {
+            return Vector{0.4, 0.7};
+        },
+        6.0);
     const ContactMeasures measures = probe(0).measure();
     const double p = 10 * 0.1, share = 0.4 / 0.5;
     EXPECT_NEAR(measures.area, 2.0, round_off);
@@ -65,7 +75,14 @@ TEST_P(Contact, ClosedEverywhere) {
 }
 
 TEST_P(Contact, OpenEverywhere) {
-    move([](double, double) { return Vector{-0.1, 0.0}; }, [](double, double) { return Vector{1.0, 0.0}; }, 6.0);
+    move(
+        [](double, double) {
+            return Vector{-0.1, 0.0};
+        },
+        [](double, double) {
+            return Vector{1.0, 0.0};
+        },
+        6.0);
     for (std::size_t surface : {0U, 1U}) {
         const ContactMeasures measures = probe(surface).measure();
         EXPECT_EQ(measures.normal_force, 0.0);
@@ -79,11 +96,18 @@ TEST_P(Contact, OpenEverywhere) {
 
 /// Closed for x < 1: half the length, up to the facets' own ends. Sticking where |w_t| <= 0.3, x < 0.75.
 TEST_P(Contact, Shares) {
-    move([](double x, double) { return Vector{0, x < 1.01 ? -0.6 : -0.4}; },
-         [](double x, double) { return Vector{x < 0.76 ? 0.2 : 0.2 + 4 * (x - 0.75), 0}; }, 0.0);
+    move(
+        [](double x, double) {
+            return Vector{0, x < 1.01 ? -0.6 : -0.4};
+        },
+        [](double x, double) {
+            return Vector{x < 0.76 ? 0.2 : 0.2 + 4 * (x - 0.75), 0};
+        },
+        0.0);
     const ContactMeasures measures = probe(0).measure();
-    // Facet [1, 1.25] falls from 0.1 to -0.1 (P1: closed up to its middle; P2 with its midpoint at -0.1: up to
-    // (3 - sqrt 5)/4 = 0.19 of it); the two Gauss points of `quadrature = 2` lie at 0.211 and 0.789 of the facet.
+    // Facet [1, 1.25] falls from 0.1 to -0.1 (P1: closed up to its middle; P2 with its midpoint at -0.1: up
+    // to (3 - sqrt 5)/4 = 0.19 of it); the two Gauss points of `quadrature = 2` lie at 0.211 and 0.789 of the
+    // facet.
     const double closed = 1.0 + (GetParam() == 1 ? 0.125 : 0.0);
     EXPECT_NEAR(measures.contact_fraction, closed / 2, round_off);
     // facet [0.75, 1]: |w_t| rises from 0.2 to 1.2, 0.41 at the first point: all of it slips
@@ -92,7 +116,14 @@ TEST_P(Contact, Shares) {
 
 /// Right side (length 1, normal x), without friction: whatever is closed slips, and rubs with no force.
 TEST_P(Contact, FrictionlessSideAndItsExponent) {
-    move([](double, double) { return Vector{0.2, 0.0}; }, [](double, double) { return Vector{0.0, 0.0}; }, 6.0);
+    move(
+        [](double, double) {
+            return Vector{0.2, 0.0};
+        },
+        [](double, double) {
+            return Vector{0.0, 0.0};
+        },
+        6.0);
     const ContactMeasures measures = probe(1).measure();
     EXPECT_NEAR(measures.normal_force, 100 * 0.04, round_off * 10);
     EXPECT_EQ(measures.tangential_force, 0.0);
@@ -107,7 +138,14 @@ TEST_P(Contact, FrictionlessSideAndItsExponent) {
 
 /// Pointwise values are those of the laws at the nodes of each facet, in the facet's order of nodes.
 TEST_P(Contact, FieldsAtTheNodes) {
-    move([](double x, double) { return Vector{0.3, -0.4 - 0.1 * x}; }, [](double x, double) { return Vector{x - 1, 2}; }, 0.5);
+    move(
+        [](double x, double) {
+            return Vector{0.3, -0.4 - 0.1 * x};
+        },
+        [](double x, double) {
+            return Vector{x - 1, 2};
+        },
+        0.5);
     ContactProbe bottom = probe(0);
     const FacetFields fields = bottom.fields();
     std::size_t i = 0;
@@ -122,7 +160,8 @@ TEST_P(Contact, FieldsAtTheNodes) {
             EXPECT_NEAR(fields.at("traction")[2 * i], -0.25 * p * (x - 1) / speed, round_off);
             EXPECT_NEAR(fields.at("traction")[2 * i + 1], 0.0, round_off);
             if (std::abs(r) > 1e-12) {  // at r = 0 round-off decides between 0 and a rise of 4000 r
-                EXPECT_NEAR(fields.at("heat_flow")[i], r > 0 ? 4 * -0.5 * std::min(r / 1e-3, 1.0) : 0.0, 1e-9);
+                EXPECT_NEAR(fields.at("heat_flow")[i], r > 0 ? 4 * -0.5 * std::min(r / 1e-3, 1.0) : 0.0,
+                            1e-9);
             }
             ++i;
         }
@@ -141,7 +180,8 @@ constexpr double e_xx = 0.02, e_yy = -0.01, e_xy = 0.015, rate = 0.5, warmth = 3
 /// sigma = E eps(u) + V eps(w) - theta M with eps(w) = rate eps(u), by hand.
 std::vector<StressCase> stress_cases() {
     const double tr = e_xx + e_yy;
-    // E = 2, nu = 0.25: plane stress lambda* = E nu/(1 - nu^2), plane strain lambda = E nu/((1 + nu)(1 - 2 nu)), 2G = E/(1 + nu)
+    // E = 2, nu = 0.25: plane stress lambda* = E nu/(1 - nu^2), plane strain lambda = E nu/((1 + nu)(1 - 2
+    // nu)), 2G = E/(1 + nu)
     const double star = 2 * 0.25 / (1 - 0.0625), lambda = 2 * 0.25 / (1.25 * 0.5), two_G = 1.6;
     const auto isotropic = [&](double l, double g, double zz) {
         return std::array<double, 6>{l * tr + g * e_xx, l * tr + g * e_yy, zz, g * e_xy, 0, 0};
@@ -161,8 +201,10 @@ std::vector<StressCase> stress_cases() {
         {"viscous_only", viscous, isotropic(7 * rate, 3 * rate, 0)},
         {"viscoelastic_plane_strain", strained + viscous,
          isotropic(lambda + 7 * rate, two_G + 3 * rate, (lambda + 7 * rate) * tr)},
-        {"voigt", "material.elasticity.tensor = [[4, 1, 0.5], [1, 3, 0.2], [0.5, 0.2, 2]]\n",
-         {4 * e_xx + e_yy + 0.5 * 2 * e_xy, e_xx + 3 * e_yy + 0.2 * 2 * e_xy, 0, 0.5 * e_xx + 0.2 * e_yy + 2 * 2 * e_xy, 0, 0}},
+        {"voigt",
+         "material.elasticity.tensor = [[4, 1, 0.5], [1, 3, 0.2], [0.5, 0.2, 2]]\n",
+         {4 * e_xx + e_yy + 0.5 * 2 * e_xy, e_xx + 3 * e_yy + 0.2 * 2 * e_xy, 0,
+          0.5 * e_xx + 0.2 * e_yy + 2 * 2 * e_xy, 0, 0}},
         {"warm_plane_stress", elastic + "heat = {capacity = 1, thermal_stress = 0.4}\n",
          minus(isotropic(star, two_G, 0), {0.4, 0.4, 0, 0})},
         {"warm_plane_strain", strained + "heat = {capacity = 1, thermal_stress = 0.4}\n",
@@ -175,10 +217,13 @@ class Stress : public testing::TestWithParam<std::tuple<StressCase, int>> {};
 
 TEST_P(Stress, OfUniformStrain) {
     const auto& [state, degree] = GetParam();
-    const Discretisation at("mesh = {cells = [3, 2], diagonal = \"crossed\"}\ntime = {end = 1, steps = 1}\nmaterial.density = 1\n" +
-                            state.material + "space.degree = " + std::to_string(degree) + "\n");
+    const Discretisation at(
+        "mesh = {cells = [3, 2], diagonal = \"crossed\"}\ntime = {end = 1, steps = 1}\nmaterial.density = "
+        "1\n" +
+        state.material + "space.degree = " + std::to_string(degree) + "\n");
     const auto u = at.nodal([](double x, double y) {
-        return Vector{0.3 + e_xx * x + (e_xy - 0.1) * y, -0.2 + (e_xy + 0.1) * x + e_yy * y};  // and a rotation by 0.1
+        return Vector{0.3 + e_xx * x + (e_xy - 0.1) * y,
+                      -0.2 + (e_xy + 0.1) * x + e_yy * y};  // and a rotation by 0.1
     });
     std::vector<double> w;
     for (const double value : u) {
@@ -190,26 +235,32 @@ TEST_P(Stress, OfUniformStrain) {
     ASSERT_EQ(stress.size(), 6 * static_cast<std::size_t>(at.mesh.cell_count()));
     const auto& [xx, yy, zz, xy, yz, xz] = state.expected;
     // J2 of the three-dimensional tensor
-    const double von_mises = std::sqrt(((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 2 + 3 * xy * xy);
+    const double von_mises =
+        std::sqrt(((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) / 2 + 3 * xy * xy);
     const auto found = probe.von_mises();
     for (std::size_t cell = 0; cell < found.size(); ++cell) {
         for (std::size_t i = 0; i < 6; ++i) {
-            // differences of displacements of 0.3 over 1/6: some 10 roundings of 1e-16 * 6, times stiffness 10
-            EXPECT_NEAR(stress[6 * cell + i], state.expected[i], 1e-13) << "cell " << cell << " component " << i;
+            // differences of displacements of 0.3 over 1/6: some 10 roundings of 1e-16 * 6, times stiffness
+            // 10
+            EXPECT_NEAR(stress[6 * cell + i], state.expected[i], 1e-13)
+                << "cell " << cell << " component " << i;
         }
         EXPECT_NEAR(found[cell], von_mises, 1e-13);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Materials, Stress, testing::Combine(testing::ValuesIn(stress_cases()), testing::Values(1, 2)),
+INSTANTIATE_TEST_SUITE_P(Materials, Stress,
+                         testing::Combine(testing::ValuesIn(stress_cases()), testing::Values(1, 2)),
                          [](const auto& info) {
-                             return std::get<0>(info.param).name + "_" + std::to_string(std::get<1>(info.param));
+                             return std::get<0>(info.param).name + "_" +
+                                    std::to_string(std::get<1>(info.param));
                          });
 
 /// Stress varies within a cell of degree 2; its mean is that at the centroid for a quadratic displacement.
 TEST(StressProbe, MeanOverTheCell) {
-    const Discretisation at("mesh.cells = [2, 2]\nspace.degree = 2\ntime = {end = 1, steps = 1}\nmaterial.density = 1\n"
-                            "material.elasticity.tensor = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n");
+    const Discretisation at(
+        "mesh.cells = [2, 2]\nspace.degree = 2\ntime = {end = 1, steps = 1}\nmaterial.density = 1\n"
+        "material.elasticity.tensor = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n");
     const auto u = at.nodal([](double x, double y) { return Vector{x * x, x * y}; });
     const std::vector<double> w(u.size(), 0.0);
     StressProbe probe(at.scene, at.mesh, at.space, u, w, {});
@@ -227,11 +278,14 @@ TEST(StressProbe, MeanOverTheCell) {
     }
 }
 
-/// The heat's tensors and the mechanical ones, zero where the scene has none; without friction nothing sticks.
+/// The heat's tensors and the mechanical ones, zero where the scene has none; without friction nothing
+/// sticks.
 TEST(Constants, AbsentLawsAreZero) {
-    const Discretisation at("mesh.cells = [1, 1]\ntime = {end = 1, steps = 1}\nheat.capacity = 2\n"
-                            "boundary.bottom.contact.conductance = {coefficient = 3, onset = 4, foundation_temperature = 0}\n");
-    const fem::Constants body = body_constants(at.scene), contact = contact_constants(at.surfaces.front()->laws, 0.5);
+    const Discretisation at(
+        "mesh.cells = [1, 1]\ntime = {end = 1, steps = 1}\nheat.capacity = 2\n"
+        "boundary.bottom.contact.conductance = {coefficient = 3, onset = 4, foundation_temperature = 0}\n");
+    const fem::Constants body = body_constants(at.scene),
+                         contact = contact_constants(at.surfaces.front()->laws, 0.5);
     EXPECT_EQ(body.at("c"), std::vector<double>{2});
     EXPECT_EQ(body.at("rho"), std::vector<double>{0});
     EXPECT_EQ(body.at("E"), std::vector<double>(9, 0.0));

@@ -34,7 +34,8 @@ inline std::vector<std::uint8_t> decode_base64(const std::string& text) {
 }
 
 /// The text between the first `begin` after `from` and the next `end`.
-inline std::string between(const std::string& text, const std::string& begin, const std::string& end, std::size_t from = 0) {
+inline std::string between(const std::string& text, const std::string& begin, const std::string& end,
+                           std::size_t from = 0) {
     const std::size_t at = text.find(begin, from);
     EXPECT_NE(at, std::string::npos) << begin;
     if (at == std::string::npos) {
@@ -46,7 +47,8 @@ inline std::string between(const std::string& text, const std::string& begin, co
 
 /// The array of that name: its size header is checked against what follows.
 template <typename Number>
-std::vector<Number> read_array(const std::string& vtu, const std::string& name, const std::string& type, int components) {
+std::vector<Number> read_array(const std::string& vtu, const std::string& name, const std::string& type,
+                               int components) {
     const std::size_t at = vtu.find("Name=\"" + name + "\"");
     EXPECT_NE(at, std::string::npos) << "no array " << name;
     if (at == std::string::npos) {
@@ -56,9 +58,11 @@ std::vector<Number> read_array(const std::string& vtu, const std::string& name, 
     const std::string tag = vtu.substr(open, close - open + 1);
     EXPECT_NE(tag.find("<DataArray "), std::string::npos) << tag;
     EXPECT_NE(tag.find("type=\"" + type + "\""), std::string::npos) << tag;
-    EXPECT_NE(tag.find("NumberOfComponents=\"" + std::to_string(components) + "\""), std::string::npos) << tag;
+    EXPECT_NE(tag.find("NumberOfComponents=\"" + std::to_string(components) + "\""), std::string::npos)
+        << tag;
     EXPECT_NE(tag.find("format=\"binary\""), std::string::npos) << tag;
-    const std::vector<std::uint8_t> bytes = decode_base64(vtu.substr(close + 1, vtu.find('<', close) - close - 1));
+    const std::vector<std::uint8_t> bytes =
+        decode_base64(vtu.substr(close + 1, vtu.find('<', close) - close - 1));
     std::uint64_t size = 0;
     EXPECT_GE(bytes.size(), sizeof size);
     for (std::size_t i = 0; i < 8; ++i) {  // little endian

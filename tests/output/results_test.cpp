@@ -66,9 +66,9 @@ class ResultFiles : public testing::Test {
         return nlohmann::ordered_json::parse(content(folder / "summary.json"));
     }
 
-    const fs::path folder = fs::path(testing::TempDir()) /
-                            ("thermocontact-results-" + std::to_string(getpid()) + "-" +
-                             testing::UnitTest::GetInstance()->current_test_info()->name());
+    const fs::path folder =
+        fs::path(testing::TempDir()) / ("thermocontact-results-" + std::to_string(getpid()) + "-" +
+                                        testing::UnitTest::GetInstance()->current_test_info()->name());
     scene::Scene scene;
     std::optional<march::Simulation> simulation;
 };
@@ -87,7 +87,8 @@ TEST_F(ResultFiles, WriteWholeFailsWithoutATrace) {
         write_whole(folder / "file" / "a.txt", "text");
         FAIL() << "no exception";
     } catch (const SystemError& error) {
-        EXPECT_NE(std::string(error.what()).find((folder / "file" / "a.txt").string()), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find((folder / "file" / "a.txt").string()), std::string::npos)
+            << error.what();
         EXPECT_NE(std::string(error.what()).find("Not a directory"), std::string::npos) << error.what();
     }
     EXPECT_EQ(content(folder / "file"), "untouched");
@@ -133,8 +134,10 @@ TEST_F(ResultFiles, PvdAndFilesAgree) {
     run("paper", with({"output.every=2"}));
     const std::string pvd = content(folder / "fields.pvd");
     std::vector<std::array<std::string, 3>> found;
-    for (std::size_t at = pvd.find("<DataSet "); at != std::string::npos; at = pvd.find("<DataSet ", at + 1)) {
-        found.push_back({between(pvd, "timestep=\"", "\"", at), between(pvd, "part=\"", "\"", at), between(pvd, "file=\"", "\"", at)});
+    for (std::size_t at = pvd.find("<DataSet "); at != std::string::npos;
+         at = pvd.find("<DataSet ", at + 1)) {
+        found.push_back({between(pvd, "timestep=\"", "\"", at), between(pvd, "part=\"", "\"", at),
+                         between(pvd, "file=\"", "\"", at)});
         EXPECT_TRUE(fs::exists(folder / found.back()[2])) << found.back()[2];
     }
     ASSERT_EQ(found.size(), 8U);
@@ -143,7 +146,8 @@ TEST_F(ResultFiles, PvdAndFilesAgree) {
         const int step = steps[i / 2];
         EXPECT_EQ(std::stod(found[i][0]), 1.0 * step / 5);
         EXPECT_EQ(found[i][1], std::to_string(i % 2));
-        EXPECT_EQ(found[i][2], std::string("fields/") + (i % 2 == 0 ? "body" : "contact") + "_00000" + std::to_string(step) + ".vtu");
+        EXPECT_EQ(found[i][2], std::string("fields/") + (i % 2 == 0 ? "body" : "contact") + "_00000" +
+                                   std::to_string(step) + ".vtu");
     }
     EXPECT_EQ(names(folder / "fields").size(), 8U) << "no other files";
     EXPECT_EQ(names(folder), (std::set<std::string>{"fields", "fields.pvd", "history.csv", "summary.json"}));
@@ -153,7 +157,8 @@ TEST_F(ResultFiles, PvdAndFilesAgree) {
 TEST_F(ResultFiles, FieldsAreTheState) {
     for (const int degree : {1, 2}) {
         run("paper", with({"space.degree=" + std::to_string(degree)}));
-        const std::string body = content(folder / "fields/body_000005.vtu"), contact = content(folder / "fields/contact_000005.vtu");
+        const std::string body = content(folder / "fields/body_000005.vtu"),
+                          contact = content(folder / "fields/contact_000005.vtu");
         const march::State& state = simulation->state();
         const std::size_t nodes = simulation->space().nodes.size();
         const auto displacement = read_array<double>(body, "displacement", "Float64", 3);
@@ -171,16 +176,24 @@ TEST_F(ResultFiles, FieldsAreTheState) {
         EXPECT_EQ(read_array<double>(body, "stress", "Float64", 6).size(), 6U * 32);
         EXPECT_EQ(read_array<double>(body, "von_mises", "Float64", 1).size(), 32U);
         const std::uint8_t triangle = degree == 1 ? 5 : 22, line = degree == 1 ? 3 : 21;
-        EXPECT_EQ(read_array<std::uint8_t>(body, "types", "UInt8", 1), std::vector<std::uint8_t>(32, triangle));
+        EXPECT_EQ(read_array<std::uint8_t>(body, "types", "UInt8", 1),
+                  std::vector<std::uint8_t>(32, triangle));
         EXPECT_EQ(read_array<std::uint8_t>(contact, "types", "UInt8", 1), std::vector<std::uint8_t>(4, line));
         const std::size_t facet_points = 4 * (static_cast<std::size_t>(degree) + 1);
-        for (const auto& [name, components] : std::vector<std::pair<std::string, int>>{
-                 {"gap", 1}, {"pressure", 1}, {"traction", 3}, {"slip_velocity", 3}, {"heat_flow", 1}, {"Points", 3}}) {
-            EXPECT_EQ(read_array<double>(contact, name, "Float64", components).size(), facet_points * components) << name;
+        for (const auto& [name, components] : std::vector<std::pair<std::string, int>>{{"gap", 1},
+                                                                                       {"pressure", 1},
+                                                                                       {"traction", 3},
+                                                                                       {"slip_velocity", 3},
+                                                                                       {"heat_flow", 1},
+                                                                                       {"Points", 3}}) {
+            EXPECT_EQ(read_array<double>(contact, name, "Float64", components).size(),
+                      facet_points * components)
+                << name;
         }
         EXPECT_EQ(read_array<std::int32_t>(contact, "boundary", "Int32", 1), std::vector<std::int32_t>(4, 0));
         // the state follows from gap and slip velocity
-        const auto gap = read_array<double>(contact, "gap", "Float64", 1), slip = read_array<double>(contact, "slip_velocity", "Float64", 3);
+        const auto gap = read_array<double>(contact, "gap", "Float64", 1),
+                   slip = read_array<double>(contact, "slip_velocity", "Float64", 3);
         const auto states = read_array<std::int32_t>(contact, "state", "Int32", 1);
         ASSERT_EQ(states.size(), facet_points);
         for (std::size_t i = 0; i < facet_points; ++i) {
@@ -193,7 +206,8 @@ TEST_F(ResultFiles, FieldsAreTheState) {
 TEST_F(ResultFiles, QuadraticCellsAreInVtkOrder) {
     run("paper", with({"space.degree=2"}));
     for (const auto& [file, edges] : std::vector<std::pair<std::string, std::vector<std::array<int, 3>>>>{
-             {"fields/body_000000.vtu", {{0, 1, 3}, {1, 2, 4}, {2, 0, 5}}}, {"fields/contact_000000.vtu", {{0, 1, 2}}}}) {
+             {"fields/body_000000.vtu", {{0, 1, 3}, {1, 2, 4}, {2, 0, 5}}},
+             {"fields/contact_000000.vtu", {{0, 1, 2}}}}) {
         const std::string text = content(folder / file);
         const auto points = read_array<double>(text, "Points", "Float64", 3);
         const auto cells = read_array<std::int64_t>(text, "connectivity", "Int64", 1);
@@ -201,7 +215,8 @@ TEST_F(ResultFiles, QuadraticCellsAreInVtkOrder) {
         for (std::size_t cell = 0; cell < cells.size(); cell += size) {
             for (const auto& [p, q, middle] : edges) {
                 for (std::size_t c = 0; c < 3; ++c) {
-                    EXPECT_EQ(points[3 * cells[cell + middle] + c], (points[3 * cells[cell + p] + c] + points[3 * cells[cell + q] + c]) / 2);
+                    EXPECT_EQ(points[3 * cells[cell + middle] + c],
+                              (points[3 * cells[cell + p] + c] + points[3 * cells[cell + q] + c]) / 2);
                 }
             }
         }
@@ -231,7 +246,8 @@ TEST_F(ResultFiles, FieldsAreChosen) {
     EXPECT_FALSE(fs::exists(folder / "fields/contact_000005.vtu"));
     run("paper", with({"output.fields=[]"}));
     EXPECT_FALSE(fs::exists(folder / "fields.pvd"));
-    EXPECT_EQ(names(folder).contains("fields") ? names(folder / "fields").size() : 0U, 0U) << "those of the earlier run are gone";
+    EXPECT_EQ(names(folder).contains("fields") ? names(folder / "fields").size() : 0U, 0U)
+        << "those of the earlier run are gone";
 }
 
 /// An earlier, longer run leaves nothing behind; files that are not results stay.
@@ -292,7 +308,9 @@ TEST_P(History, ColumnsAreTheSameInEveryRow) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, History, testing::Values("paper", "isothermal", "no-contact", "frictionless", "elastic", "quasi-static"),
+INSTANTIATE_TEST_SUITE_P(Scenes, History,
+                         testing::Values("paper", "isothermal", "no-contact", "frictionless", "elastic",
+                                         "quasi-static"),
                          [](const auto& info) {
                              std::string name = info.param;
                              std::ranges::replace(name, '-', '_');
@@ -315,14 +333,19 @@ TEST_F(ResultFiles, SummaryKeys) {
         EXPECT_TRUE(std::ranges::includes(found, expected)) << place;
         return found;
     };
-    expect_keys("", {"status", "version", "scene", "physics", "mesh", "solver", "final", "newton", "audit", "seconds", "peak_memory_mib"});
+    expect_keys("", {"status", "version", "scene", "physics", "mesh", "solver", "final", "newton", "audit",
+                     "seconds", "peak_memory_mib"});
     expect_keys("/mesh", {"cells", "vertices", "unknowns"});
     EXPECT_EQ(expect_keys("/mesh/unknowns", {}), (std::set<std::string>{"displacement", "temperature"}));
     expect_keys("/solver", {"strategy", "why", "processes"});
-    EXPECT_EQ(expect_keys("/final", {}), (std::set<std::string>{"time", "velocity_l2", "displacement_strain_l2", "temperature_l2", "contact"}));
+    EXPECT_EQ(expect_keys("/final", {}),
+              (std::set<std::string>{"time", "velocity_l2", "displacement_strain_l2", "temperature_l2",
+                                     "contact"}));
     EXPECT_EQ(expect_keys("/final/contact/bottom", {}),
-              (std::set<std::string>{"normal_force", "tangential_force", "max_penetration", "contact_fraction", "slip_fraction", "heat_flow"}));
-    EXPECT_EQ(expect_keys("/newton", {}), (std::set<std::string>{"iterations", "max_iterations_in_a_step", "retries"}));
+              (std::set<std::string>{"normal_force", "tangential_force", "max_penetration",
+                                     "contact_fraction", "slip_fraction", "heat_flow"}));
+    EXPECT_EQ(expect_keys("/newton", {}),
+              (std::set<std::string>{"iterations", "max_iterations_in_a_step", "retries"}));
     EXPECT_EQ(expect_keys("/audit", {}), (std::set<std::string>{"energy", "heat", "force"}));
     expect_keys("/seconds", {"setup", "factor", "steps", "output", "total"});
 
@@ -335,16 +358,18 @@ TEST_F(ResultFiles, SummaryKeys) {
     EXPECT_EQ(summary["solver"]["strategy"], "condensed");
     EXPECT_EQ(summary["solver"]["processes"], 1);
     EXPECT_EQ(summary["scene"]["mesh"]["cells"], (std::vector<int>{4, 4}));
-    EXPECT_EQ(summary["physics"], (std::vector<std::string>{"inertia", "elasticity", "viscosity", "thermal_stress", "body_force", "traction",
-                                                            "compliance", "friction", "heat_capacity", "conduction", "strain_heating",
-                                                            "heat_source", "conductance"}));
+    EXPECT_EQ(summary["physics"],
+              (std::vector<std::string>{"inertia", "elasticity", "viscosity", "thermal_stress", "body_force",
+                                        "traction", "compliance", "friction", "heat_capacity", "conduction",
+                                        "strain_heating", "heat_source", "conductance"}));
     EXPECT_EQ(summary["final"]["time"], 1.0);
     EXPECT_GT(summary["peak_memory_mib"], 1.0);
     // numbers read back as they were
     for (const auto& [name, number] : simulation->norms()) {
         EXPECT_EQ(summary["final"][name].get<double>(), number);
     }
-    EXPECT_EQ(summary["final"]["contact"]["bottom"]["normal_force"].get<double>(), simulation->contact_measures().at("bottom").normal_force);
+    EXPECT_EQ(summary["final"]["contact"]["bottom"]["normal_force"].get<double>(),
+              simulation->contact_measures().at("bottom").normal_force);
     EXPECT_EQ(summary["newton"]["iterations"], simulation->totals().iterations);
     EXPECT_EQ(summary["audit"]["energy"].get<double>(), simulation->totals().energy_residual);
 }
@@ -357,7 +382,8 @@ TEST_F(ResultFiles, SummaryWithoutContactAndWithoutMechanics) {
     EXPECT_EQ(heat["mesh"]["unknowns"]["displacement"], 0);
     EXPECT_EQ(heat["final"]["velocity_l2"], 0.0);
     EXPECT_EQ(heat["final"]["contact"]["bottom"]["normal_force"], 0.0);
-    const std::string body = content(folder / "fields/body_000002.vtu"), contact = content(folder / "fields/contact_000002.vtu");
+    const std::string body = content(folder / "fields/body_000002.vtu"),
+                      contact = content(folder / "fields/contact_000002.vtu");
     for (const char* absent : {"displacement", "velocity", "stress", "von_mises"}) {
         EXPECT_EQ(body.find(absent), std::string::npos) << absent;
     }

@@ -11,8 +11,13 @@ namespace thermocontact::output {
 namespace {
 
 TEST(Base64, TestDecoderKnowsTheStandardsExamples) {  // RFC 4648, section 10
-    for (const auto& [text, code] : std::vector<std::pair<std::string, std::string>>{
-             {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"foobar", "Zm9vYmFy"}}) {
+    for (const auto& [text, code] :
+         std::vector<std::pair<std::string, std::string>>{{"", ""},
+                                                          {"f", "Zg=="},
+                                                          {"fo", "Zm8="},
+                                                          {"foo", "Zm9v"},
+                                                          {"foob", "Zm9vYg=="},
+                                                          {"foobar", "Zm9vYmFy"}}) {
         const auto bytes = decode_base64(code);
         EXPECT_EQ(std::string(bytes.begin(), bytes.end()), text);
     }
@@ -60,7 +65,8 @@ TEST(Vtu, RoundTrip) {
 
 TEST(Vtu, SaysHowItIsWritten) {
     const std::string text = to_vtu(grid_of(1));
-    for (const char* attribute : {"type=\"UnstructuredGrid\"", "byte_order=\"LittleEndian\"", "header_type=\"UInt64\""}) {
+    for (const char* attribute :
+         {"type=\"UnstructuredGrid\"", "byte_order=\"LittleEndian\"", "header_type=\"UInt64\""}) {
         EXPECT_NE(text.substr(0, text.find("<Piece")).find(attribute), std::string::npos) << attribute;
     }
     EXPECT_EQ(text.find("compressor"), std::string::npos);
@@ -72,7 +78,8 @@ TEST(Vtu, DataStandsInItsSection) {
     grid.point_data.push_back({"of_points", 1, {1, 2, 3}});
     grid.cell_data.push_back({"of_cells", 1, {4}});
     const std::string text = to_vtu(grid);
-    const std::string points = between(text, "<PointData>", "</PointData>"), cells = between(text, "<CellData>", "</CellData>");
+    const std::string points = between(text, "<PointData>", "</PointData>"),
+                      cells = between(text, "<CellData>", "</CellData>");
     EXPECT_NE(points.find("of_points"), std::string::npos);
     EXPECT_EQ(points.find("of_cells"), std::string::npos);
     EXPECT_NE(cells.find("of_cells"), std::string::npos);
@@ -80,10 +87,13 @@ TEST(Vtu, DataStandsInItsSection) {
 
 TEST(Pvd, ListsFilesInOrderWithExactTimes) {
     const double third = 1.0 / 3.0;
-    const std::string text = to_pvd({{0.0, 0, "fields/body_000000.vtu"}, {0.0, 1, "fields/contact_000000.vtu"}, {third, 0, "fields/body_000001.vtu"}});
+    const std::string text = to_pvd({{0.0, 0, "fields/body_000000.vtu"},
+                                     {0.0, 1, "fields/contact_000000.vtu"},
+                                     {third, 0, "fields/body_000001.vtu"}});
     EXPECT_NE(text.find("type=\"Collection\""), std::string::npos);
     std::vector<std::string> sets;
-    for (std::size_t at = text.find("<DataSet "); at != std::string::npos; at = text.find("<DataSet ", at + 1)) {
+    for (std::size_t at = text.find("<DataSet "); at != std::string::npos;
+         at = text.find("<DataSet ", at + 1)) {
         sets.push_back(text.substr(at, text.find("/>", at) - at));
     }
     ASSERT_EQ(sets.size(), 3U);

@@ -21,13 +21,15 @@ struct Body {
     fem::BlockMatrix matrix;
 
     Body(int degree, double density)
-        : at("mesh = {cells = [4, 3], diagonal = \"left\"}\ntime = {end = 1, steps = 1}\nheat.capacity = 1\nspace.degree = " +
+        : at("mesh = {cells = [4, 3], diagonal = \"left\"}\ntime = {end = 1, steps = 1}\nheat.capacity = "
+             "1\nspace.degree = " +
              std::to_string(degree)),
           matrix(fem::zero_matrix(at.graph, 2, 2)) {
         const fem::Constants constants{{"rho", {density}}, {"E", {6, 2, 0.4, 2, 4, -0.3, 0.4, -0.3, 1.5}}};
         for (const char* name : {"inertia.mass", "elasticity.stiffness"}) {
             auto kernel = fem::find_kernel(name, "triangle", degree);
-            matrix.add(1.0, fem::assemble_matrix({std::move(kernel), at.mesh, constants}, at.space, at.graph, 2, 2));
+            matrix.add(
+                1.0, fem::assemble_matrix({std::move(kernel), at.mesh, constants}, at.space, at.graph, 2, 2));
         }
     }
 
@@ -55,7 +57,9 @@ const auto everywhere = [](double, double) { return true; };
 const auto on_top = [](double, double y, std::size_t) { return y == 1.0; };
 const auto free_body = [](double, double, std::size_t) { return false; };
 /// Rollers: x fixed on the left, which shares its lowest node with the contact; y fixed on the right.
-const auto rollers = [](double x, double, std::size_t c) { return (x == 0.0 && c == 0) || (x == 1.0 && c == 1); };
+const auto rollers = [](double x, double, std::size_t c) {
+    return (x == 0.0 && c == 0) || (x == 1.0 && c == 1);
+};
 
 const std::vector<Case> cases{{"clamped", 1, 0, bottom, on_top},
                               {"clamped_quadratic", 2, 0, bottom, on_top},
@@ -101,8 +105,9 @@ TEST_P(Condensed, ContactDofsAreTheFreeOnesOfContactNodes) {
     EXPECT_GT(system.factor_entries(), expected.size() == static_cast<std::size_t>(n) ? -1 : 0);
 }
 
-/// With springs K_c on the contact unknowns, S x_c + K_c x_c = s must give what the full system A + K_c does. The full
-/// one is well conditioned (a few 1000, smallest eigenvalue of the order of 0.1): 1e-12 is a hundred times its round-off.
+/// With springs K_c on the contact unknowns, S x_c + K_c x_c = s must give what the full system A + K_c does.
+/// The full one is well conditioned (a few 1000, smallest eigenvalue of the order of 0.1): 1e-12 is a hundred
+/// times its round-off.
 TEST_P(Condensed, AgreesWithTheFullSystem) {
     const auto& dofs = system.contact_dofs();
     const auto n_c = static_cast<Eigen::Index>(dofs.size());
@@ -133,18 +138,23 @@ TEST_P(Condensed, AgreesWithTheFullSystem) {
         const Eigen::VectorXd s = system.condense(support::as_std(r));
         ASSERT_EQ(s.size(), n_c);
         const Eigen::MatrixXd condensed = system.schur_complement() + spring;
-        const Eigen::VectorXd x = n_c > 0 ? Eigen::VectorXd(condensed.partialPivLu().solve(s)) : Eigen::VectorXd();
+        const Eigen::VectorXd x =
+            n_c > 0 ? Eigen::VectorXd(condensed.partialPivLu().solve(s)) : Eigen::VectorXd();
         system.expand(x, solution);
-        EXPECT_LE((as_vector(solution) - expected).cwiseAbs().maxCoeff(), round_off * expected.cwiseAbs().maxCoeff());
+        EXPECT_LE((as_vector(solution) - expected).cwiseAbs().maxCoeff(),
+                  round_off * expected.cwiseAbs().maxCoeff());
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, Condensed, testing::ValuesIn(cases), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Bodies, Condensed, testing::ValuesIn(cases),
+                         [](const auto& info) { return info.param.name; });
 
-/// The Schur complement of a body held by contact alone is singular as A is: rigid motions of the contact nodes.
+/// The Schur complement of a body held by contact alone is singular as A is: rigid motions of the contact
+/// nodes.
 TEST(CondensedSystem, RigidMotionsAreInTheKernelOfS) {
     const Body body(1, 0);
-    const CondensedSystem system(body.matrix, std::vector<char>(2 * body.at.node_count(), 0), body.nodes(bottom));
+    const CondensedSystem system(body.matrix, std::vector<char>(2 * body.at.node_count(), 0),
+                                 body.nodes(bottom));
     Eigen::VectorXd rotation(system.contact_dofs().size());
     for (std::size_t i = 0; i < system.contact_dofs().size(); ++i) {
         const mesh::Point& x = body.at.space.nodes[system.contact_dofs()[i] / 2];
@@ -187,7 +197,8 @@ TEST(CondensedSystem, OneComponent) {
     fem::BlockMatrix matrix = fem::zero_matrix(at.graph, 1, 1);
     std::vector<char> contact, fixed;
     for (const char* name : {"heat_capacity.capacity", "conduction.conduction"}) {
-        matrix.add(1.0, fem::assemble_matrix({fem::find_kernel(name, "triangle", 1), at.mesh, constants}, at.space, at.graph, 1, 1));
+        matrix.add(1.0, fem::assemble_matrix({fem::find_kernel(name, "triangle", 1), at.mesh, constants},
+                                             at.space, at.graph, 1, 1));
     }
     for (const mesh::Point& x : at.space.nodes) {
         contact.push_back(x[1] == 0.0 ? 1 : 0);

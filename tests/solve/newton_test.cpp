@@ -31,7 +31,9 @@ class Componentwise : public NonlinearTerm {
 
 constexpr NewtonOptions options{1e-12, 50};
 
-Eigen::MatrixXd identity(int n) { return Eigen::MatrixXd::Identity(n, n); }
+Eigen::MatrixXd identity(int n) {
+    return Eigen::MatrixXd::Identity(n, n);
+}
 
 /// 4 x 4, symmetric positive definite, smallest eigenvalue above 1.
 Eigen::MatrixXd stiffness() {
@@ -68,8 +70,8 @@ TEST(Newton, NothingToDo) {
     EXPECT_EQ(newton.solve(stiffness(), vector({0, 0, 0, 0}), F, x).end, NewtonEnd::converged) << "0 = 0";
 }
 
-/// S x + x^2 = s with a known solution. The relative residual 1e-12 is of terms of size |s|; the derivative's smallest
-/// singular value is above 1 there.
+/// S x + x^2 = s with a known solution. The relative residual 1e-12 is of terms of size |s|; the derivative's
+/// smallest singular value is above 1 there.
 TEST(Newton, QuadraticProblem) {
     Componentwise F([](double x) { return x * x; }, [](double x) { return 2 * x; });
     const Eigen::VectorXd expected = vector({1, 2, 0.3, 4});
@@ -90,7 +92,8 @@ TEST(Newton, QuadraticProblem) {
 TEST(Newton, LineSearchTamesAtan) {
     Componentwise F([](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); });
     Eigen::VectorXd x = Eigen::VectorXd::Constant(1, 20.0);
-    const NewtonResult result = Newton(options).solve(1e-6 * identity(1), Eigen::VectorXd::Constant(1, 0.5), F, x);
+    const NewtonResult result =
+        Newton(options).solve(1e-6 * identity(1), Eigen::VectorXd::Constant(1, 0.5), F, x);
     ASSERT_EQ(result.end, NewtonEnd::converged);
     EXPECT_NEAR(1e-6 * x[0] + std::atan(x[0]), 0.5, 1e-12);
 }
@@ -105,13 +108,19 @@ struct Failure {
 };
 
 const std::vector<Failure> failures{
-    {"too_many_iterations", NewtonEnd::too_many_iterations, 1, [](double x) { return x * x * x; }, [](double x) { return 3 * x * x; }, 1, 1},
-    {"no_iteration_allowed", NewtonEnd::too_many_iterations, 1, [](double) { return 0.0; }, [](double) { return 0.0; }, 0, 0},
-    {"ascent_direction", NewtonEnd::line_search_failed, 1, [](double) { return 0.0; }, [](double) { return -2.0; }, 50, 0},
-    {"not_a_number", NewtonEnd::not_finite, 1, [](double) { return std::nan(""); }, [](double) { return 0.0; }, 50, 0},
-    {"infinite", NewtonEnd::not_finite, 1, [](double) { return std::numeric_limits<double>::infinity(); }, [](double) { return 0.0; }, 50, 0},
+    {"too_many_iterations", NewtonEnd::too_many_iterations, 1, [](double x) { return x * x * x; },
+     [](double x) { return 3 * x * x; }, 1, 1},
+    {"no_iteration_allowed", NewtonEnd::too_many_iterations, 1, [](double) { return 0.0; },
+     [](double) { return 0.0; }, 0, 0},
+    {"ascent_direction", NewtonEnd::line_search_failed, 1, [](double) { return 0.0; },
+     [](double) { return -2.0; }, 50, 0},
+    {"not_a_number", NewtonEnd::not_finite, 1, [](double) { return std::nan(""); },
+     [](double) { return 0.0; }, 50, 0},
+    {"infinite", NewtonEnd::not_finite, 1, [](double) { return std::numeric_limits<double>::infinity(); },
+     [](double) { return 0.0; }, 50, 0},
     {"singular", NewtonEnd::singular, 0, [](double) { return 0.0; }, [](double) { return 0.0; }, 50, 0},
-    {"cancelled_to_singular", NewtonEnd::singular, 1, [](double) { return 0.0; }, [](double) { return -1.0; }, 50, 0}};
+    {"cancelled_to_singular", NewtonEnd::singular, 1, [](double) { return 0.0; }, [](double) { return -1.0; },
+     50, 0}};
 
 class NewtonFailures : public testing::TestWithParam<Failure> {};
 
@@ -129,12 +138,14 @@ TEST_P(NewtonFailures, AreNamed) {
     EXPECT_EQ(x == vector({0, 0}), failure.iterations == 0) << "x is the last iterate";
 }
 
-INSTANTIATE_TEST_SUITE_P(Ends, NewtonFailures, testing::ValuesIn(failures), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Ends, NewtonFailures, testing::ValuesIn(failures),
+                         [](const auto& info) { return info.param.name; });
 
 /// After a failure (here: singular) the same object solves the next problem.
 TEST(Newton, RecoversAfterAFailure) {
     Newton newton(options);
-    Componentwise bad([](double) { return 0.0; }, [](double) { return -1.0; }), good([](double x) { return x; }, [](double) { return 1.0; });
+    Componentwise bad([](double) { return 0.0; }, [](double) { return -1.0; }),
+        good([](double x) { return x; }, [](double) { return 1.0; });
     Eigen::VectorXd x = Eigen::VectorXd::Zero(2);
     EXPECT_EQ(newton.solve(identity(2), vector({1, 2}), bad, x).end, NewtonEnd::singular);
     EXPECT_EQ(newton.solve(identity(2), vector({1, 2}), good, x).end, NewtonEnd::converged);
@@ -157,8 +168,8 @@ struct Rubbing {
     bool needs_the_ladder = true;
 };
 
-/// x + sign_eps(x) = load with eps = 1e-12: it sticks for |load| < 1, x = eps load / sqrt(1 - load^2) up to eps^2, and
-/// slips with x = load - 1 beyond.
+/// x + sign_eps(x) = load with eps = 1e-12: it sticks for |load| < 1, x = eps load / sqrt(1 - load^2) up to
+/// eps^2, and slips with x = load - 1 beyond.
 class Ladder : public testing::TestWithParam<Rubbing> {
   protected:
     const Friction friction{1.0, 1e-12};
@@ -178,7 +189,8 @@ class Ladder : public testing::TestWithParam<Rubbing> {
 TEST_P(Ladder, SolvesAlsoWhereNewtonAloneFails) {
     Componentwise F = friction.raised(0);
     Eigen::VectorXd alone = Eigen::VectorXd::Constant(1, GetParam().start);
-    const NewtonEnd end = Newton(options).solve(identity(1), Eigen::VectorXd::Constant(1, load), F, alone).end;
+    const NewtonEnd end =
+        Newton(options).solve(identity(1), Eigen::VectorXd::Constant(1, load), F, alone).end;
     EXPECT_EQ(end != NewtonEnd::converged, GetParam().needs_the_ladder) << describe(end);
     Eigen::VectorXd x = Eigen::VectorXd::Constant(1, GetParam().start);
     const ContinuationResult result = climb(1.0, x);
@@ -193,7 +205,8 @@ TEST_P(Ladder, SolvesAlsoWhereNewtonAloneFails) {
 
 INSTANTIATE_TEST_SUITE_P(Loads, Ladder,
                          testing::Values(Rubbing{"sticks", 1.0, 0.5}, Rubbing{"sticks_backwards", 2.0, -0.7},
-                                         Rubbing{"nearly_slips", -1.0, 0.999, false}, Rubbing{"slips", 1.0, -3.0, false}),
+                                         Rubbing{"nearly_slips", -1.0, 0.999, false},
+                                         Rubbing{"slips", 1.0, -3.0, false}),
                          [](const auto& info) { return info.param.name; });
 
 /// A solve that never succeeds ends the ladder at its first rung, and leaves x alone.
@@ -214,7 +227,8 @@ TEST(Continuation, CannotSucceed) {
     EXPECT_EQ(x[0], 3.0);
 }
 
-/// A wall at 1e-3: the ladder comes close to it from above, by ever smaller strides, and ends with the last value solved.
+/// A wall at 1e-3: the ladder comes close to it from above, by ever smaller strides, and ends with the last
+/// value solved.
 TEST(Continuation, EndsAtAWall) {
     double lowest = 1;
     Eigen::VectorXd x = Eigen::VectorXd::Constant(1, 3.0);

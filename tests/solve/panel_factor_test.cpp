@@ -16,7 +16,9 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 SymmetricMatrix lower_triangle(const Eigen::MatrixXd& A, std::span<const std::int32_t> dense_rows) {
     SymmetricMatrix result{static_cast<std::int32_t>(A.rows()), {0}, {}, {}};
-    const auto is_dense = [&](std::int32_t i) { return std::ranges::find(dense_rows, i) != dense_rows.end(); };
+    const auto is_dense = [&](std::int32_t i) {
+        return std::ranges::find(dense_rows, i) != dense_rows.end();
+    };
     for (std::int32_t column = 0; column < result.size; ++column) {
         for (std::int32_t row = column; row < result.size; ++row) {
             if (A(row, column) != 0.0 || row == column || (is_dense(row) && is_dense(column))) {
@@ -35,7 +37,8 @@ Eigen::MatrixXd random_positive(int size, int entries_a_row) {
     const auto values = support::random_numbers(static_cast<std::size_t>(size * entries_a_row), 11);
     const auto places = support::random_numbers(values.size(), 12);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const int row = static_cast<int>(i) / entries_a_row, column = static_cast<int>((places[i] + 1) / 2 * size);
+        const int row = static_cast<int>(i) / entries_a_row,
+                  column = static_cast<int>((places[i] + 1) / 2 * size);
         A(row, column) += values[i];
         A(column, row) += values[i];
     }
@@ -50,7 +53,8 @@ Eigen::MatrixXd finite_elements() {
     const fem::NodeGraph graph = fem::make_node_graph(space);
     const fem::Constants constants{{"rho", {1.0}}, {"E", {6, 2, 0.4, 2, 4, -0.3, 0.4, -0.3, 1.5}}};
     const auto matrix = [&](const char* name) {
-        return fem::assemble_matrix({fem::find_kernel(name, "triangle", 1), mesh, constants}, space, graph, 2, 2);
+        return fem::assemble_matrix({fem::find_kernel(name, "triangle", 1), mesh, constants}, space, graph, 2,
+                                    2);
     };
     fem::BlockMatrix sum = matrix("inertia.mass");
     sum.add(0.1, matrix("elasticity.stiffness"));
@@ -111,11 +115,14 @@ class Factor : public testing::TestWithParam<Case> {
 };
 
 /// Backward stable: errors of n epsilon |A|, times the condition number (below 1000 here) in solutions.
-double tolerance(const Eigen::MatrixXd& A) { return 10 * static_cast<double>(A.rows()) * epsilon * A.norm(); }
+double tolerance(const Eigen::MatrixXd& A) {
+    return 10 * static_cast<double>(A.rows()) * epsilon * A.norm();
+}
 constexpr double condition = 1000;
 
 TEST_P(Factor, KeepsTheTailLast) {
-    std::vector<std::int32_t> all = factor.order(), now(all.end() - t, all.end()), wanted(tail.begin(), tail.end());
+    std::vector<std::int32_t> all = factor.order(), now(all.end() - t, all.end()),
+                              wanted(tail.begin(), tail.end());
     std::ranges::sort(all);
     std::ranges::sort(now);
     std::ranges::sort(wanted);
@@ -167,7 +174,8 @@ TEST_P(Factor, ForwardCondensesTheRightHandSide) {
         const Eigen::VectorXd b_head = support::as_vector(b).head(h);
         const Eigen::MatrixXd L = P.topLeftCorner(h, h).llt().matrixL();
         const Eigen::VectorXd y = L.triangularView<Eigen::Lower>().solve(b_head);
-        EXPECT_LE((support::as_vector(x).head(h) - y).cwiseAbs().maxCoeff(), condition * tolerance(A) * y.norm() / A.norm());
+        EXPECT_LE((support::as_vector(x).head(h) - y).cwiseAbs().maxCoeff(),
+                  condition * tolerance(A) * y.norm() / A.norm());
         if (t > 0) {
             const Eigen::VectorXd s = support::as_vector(b).tail(t) -
                                       P.bottomLeftCorner(t, h) * P.topLeftCorner(h, h).llt().solve(b_head);
@@ -231,7 +239,8 @@ TEST_P(Singular, IsNotFactored) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Matrices, Singular, testing::ValuesIn(bad_cases()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Matrices, Singular, testing::ValuesIn(bad_cases()),
+                         [](const auto& info) { return info.param.name; });
 
 TEST(NestedDissection, IsAPermutation) {
     EXPECT_TRUE(nested_dissection({0, {0}, {}, {}}).empty());
@@ -243,7 +252,8 @@ TEST(NestedDissection, IsAPermutation) {
     }
 }
 
-/// On a grid of n x n nodes, L has some 31/4 n^2 log2 n entries in nested dissection against n^3 in the order of the rows.
+/// On a grid of n x n nodes, L has some 31/4 n^2 log2 n entries in nested dissection against n^3 in the order
+/// of the rows.
 TEST(NestedDissection, SavesFill) {
     const int n = 48;
     SymmetricMatrix grid{n * n, {0}, {}, {}};
@@ -260,7 +270,8 @@ TEST(NestedDissection, SavesFill) {
     }
     std::vector<std::int32_t> natural(static_cast<std::size_t>(n * n));
     std::iota(natural.begin(), natural.end(), 0);
-    EXPECT_LT(2 * PanelFactor(grid, nested_dissection(grid), 0).entries(), PanelFactor(grid, natural, 0).entries());
+    EXPECT_LT(2 * PanelFactor(grid, nested_dissection(grid), 0).entries(),
+              PanelFactor(grid, natural, 0).entries());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-/// Polynomials in the barycentric coordinates of a triangle, integrated in closed form: what kernels are compared with.
+/// Polynomials in the barycentric coordinates of a triangle, integrated in closed form: what kernels are
+/// compared with.
 #pragma once
 
 #include <array>
@@ -47,7 +48,8 @@ class Polynomial {
     double operator()(const std::array<double, 3>& l) const {
         double sum = 0;
         for (const auto& [powers, coefficient] : terms_) {
-            sum += coefficient * std::pow(l[0], powers[0]) * std::pow(l[1], powers[1]) * std::pow(l[2], powers[2]);
+            sum += coefficient * std::pow(l[0], powers[0]) * std::pow(l[1], powers[1]) *
+                   std::pow(l[2], powers[2]);
         }
         return sum;
     }
@@ -69,12 +71,14 @@ class Polynomial {
     double over_triangle(double area) const {
         double sum = 0;
         for (const auto& [p, coefficient] : terms_) {
-            sum += coefficient * factorial(p[0]) * factorial(p[1]) * factorial(p[2]) / factorial(p[0] + p[1] + p[2] + 2);
+            sum += coefficient * factorial(p[0]) * factorial(p[1]) * factorial(p[2]) /
+                   factorial(p[0] + p[1] + p[2] + 2);
         }
         return 2 * area * sum;
     }
 
-    /// Integral over the facet opposite vertex `facet`, of the given length: l_i^a l_j^b -> length a! b! / (a + b + 1)!.
+    /// Integral over the facet opposite vertex `facet`, of the given length: l_i^a l_j^b -> length a! b! / (a
+    /// + b + 1)!.
     double over_facet(std::size_t facet, double length) const {
         double sum = 0;
         for (const auto& [p, coefficient] : terms_) {
@@ -141,7 +145,8 @@ struct Triangle {
     }
 };
 
-/// Lagrange shape functions in Basix's order: vertices, then (degree 2) the midpoints of the facets opposite 0, 1, 2.
+/// Lagrange shape functions in Basix's order: vertices, then (degree 2) the midpoints of the facets opposite
+/// 0, 1, 2.
 inline std::vector<Polynomial> shape_functions(int degree) {
     std::vector<Polynomial> result;
     for (std::size_t i = 0; i < 3; ++i) {

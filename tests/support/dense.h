@@ -10,7 +10,8 @@ namespace thermocontact::support {
 
 inline Eigen::MatrixXd dense(const fem::BlockMatrix& matrix) {
     const fem::NodeGraph& graph = *matrix.graph;
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(graph.node_count() * matrix.rows, graph.node_count() * matrix.columns);
+    Eigen::MatrixXd result =
+        Eigen::MatrixXd::Zero(graph.node_count() * matrix.rows, graph.node_count() * matrix.columns);
     for (int node = 0; node < graph.node_count(); ++node) {
         for (int i = graph.offsets[node]; i < graph.offsets[node + 1]; ++i) {
             for (int r = 0; r < matrix.rows; ++r) {
@@ -29,9 +30,13 @@ inline Eigen::VectorXd as_vector(const std::vector<double>& values) {
 }
 
 /// Of dynamic size: GCC 12 warns falsely of fixed-size vectors in its own AVX-512 intrinsics.
-inline Eigen::VectorXd vector(std::initializer_list<double> values) { return as_vector(values); }
+inline Eigen::VectorXd vector(std::initializer_list<double> values) {
+    return as_vector(values);
+}
 
-inline std::vector<double> as_std(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+inline std::vector<double> as_std(const Eigen::VectorXd& values) {
+    return {values.begin(), values.end()};
+}
 
 /// Numbers in (-1, 1), the same in every run.
 inline std::vector<double> random_numbers(std::size_t count, unsigned seed = 1) {

@@ -35,34 +35,49 @@ void line(bool holds, const std::string& text) {
     std::cout << "  " << (holds ? "holds   " : "BROKEN  ") << text << "\n";
 }
 
-void print_hypotheses(const scene::Scene& scene) {
-    std::cout << "hypotheses of the theory (paper, Section 2), on the scene's own data\n";
+void print_body(const scene::Scene& scene) {
     if (scene.material) {
-        const auto& material = *scene.material;
-        const double viscous = material.viscosity ? ellipticity(*material.viscosity, scene.dimension) : 0.0;
-        line(viscous > 0, "(H1) viscosity elliptic: m_a = " + short_text(viscous) +
-                              (material.viscosity ? "" : ", no viscosity is modelled"));
-        const double elastic = material.elasticity ? ellipticity(*material.elasticity, scene.dimension) : 0.0;
-        line(elastic > 0, "(H2) elasticity elliptic: m_b = " + short_text(elastic));
+        const auto& [density, elasticity, viscosity] = *scene.material;
+        const double m_b = viscosity ? ellipticity(*viscosity, scene.dimension) : 0.0;
+        line(m_b > 0,
+             "(H1) viscosity elliptic: m_b = " + short_text(m_b) + (viscosity ? "" : ", none is modelled"));
+        const double m_a = elasticity ? ellipticity(*elasticity, scene.dimension) : 0.0;
+        line(m_a > 0,
+             "(H2) elasticity elliptic: m_a = " + short_text(m_a) + (elasticity ? "" : ", none is modelled"));
     }
     if (scene.heat) {
-        const double m =
-            scene.heat->conductivity ? smallest_eigenvalue(scene.heat->conductivity->matrix) : 0.0;
-        line(m > 0, "(H3 ii) conductivity elliptic: m_d = " + short_text(m) +
-                        (m > 0 ? "" : "; heat does not diffuse in every direction"));
+        const auto& conductivity = scene.heat->conductivity;
+        const double m_d = conductivity ? smallest_eigenvalue(conductivity->matrix) : 0.0;
+        line(m_d > 0, "(H3 ii) conductivity elliptic: m_d = " + short_text(m_d) +
+                          (m_d > 0 ? "" : "; heat does not diffuse in every direction"));
     }
+}
+
+void print_contact(const std::string& name, const scene::Contact& contact) {
+    const std::string where = "boundary." + name + ": ";
+    if (contact.compliance) {
+        const double L_nu = contact.compliance->stiffness;
+        const double L_tau = contact.friction ? contact.friction->coefficient * L_nu : 0.0;
+        line(contact.compliance->exponent == 1, where + "(H8 iv) p_n, p_t Lipschitz: L_nu = " +
+                                                    short_text(L_nu) + ", L_tau = " + short_text(L_tau));
+        std::cout << "  open    " << where
+                  << "(2.23) asks for m_a > (L_nu + L_tau) s1^2 = " << short_text(L_nu + L_tau)
+                  << " s1^2; the trace constant s1 of the mesh is not computed\n";
+    }
+    if (contact.conductance) {
+        const double M_kc = contact.conductance->coefficient;
+        line(true, where + "(H7 i) k_c bounded: M_kc = " + short_text(M_kc));
+        std::cout << "  open    " << where << "(2.23) asks for m_d > M_kc s2^2 = " << short_text(M_kc)
+                  << " s2^2; the trace constant s2 of the mesh is not computed\n";
+    }
+}
+
+void print_hypotheses(const scene::Scene& scene) {
+    std::cout << "hypotheses of the theory (paper, Section 2), on the scene's own data\n";
+    print_body(scene);
     for (const auto& [name, boundary] : scene.boundaries) {
-        if (!boundary.contact) {
-            continue;
-        }
-        const scene::Contact& contact = *boundary.contact;
-        if (contact.compliance) {
-            line(contact.compliance->exponent == 1, "boundary." + name + ": p_n Lipschitz, L_nu = c_n = " +
-                                                        short_text(contact.compliance->stiffness));
-        }
-        if (contact.conductance) {
-            line(true, "boundary." + name +
-                           ": k_c bounded, M_kc = " + short_text(contact.conductance->coefficient));
+        if (boundary.contact) {
+            print_contact(name, *boundary.contact);
         }
     }
 }

@@ -30,10 +30,9 @@ solve::CondensedSystem condense(const std::string& equation, const fem::BlockMat
     }
 }
 
-std::string failure_text(const Where& where, const solve::NewtonResult& first,
+std::string failure_text(const std::string& equation, const solve::NewtonResult& first,
                          const solve::ContinuationResult* ladder) {
-    std::string text = "step " + std::to_string(where.step) + ", t = " + short_text(where.time) + ": " +
-                       where.equation + ": Newton stopped after " + std::to_string(first.iterations) +
+    std::string text = equation + ": Newton stopped after " + std::to_string(first.iterations) +
                        " iterations (" + solve::describe(first.end) + ", relative residual " +
                        short_text(first.residual) + ")";
     if (ladder != nullptr) {
@@ -72,7 +71,7 @@ void Balance::remove_prescribed(std::vector<double>& rhs) {
     }
 }
 
-SolveReport Balance::solve(int step, double time, std::vector<double>& rhs) {
+SolveReport Balance::solve(std::vector<double>& rhs) {
     remove_prescribed(rhs);
     const Eigen::VectorXd condensed =
         timed(seconds_.triangular_solves, [&] { return system_.condense(rhs); });
@@ -82,17 +81,17 @@ SolveReport Balance::solve(int step, double time, std::vector<double>& rhs) {
     }
     SolveReport report;
     if (x.size() > 0) {
-        report = timed(seconds_.newton, [&] { return solve_contact({equation_, step, time}, condensed, x); });
+        report = timed(seconds_.newton, [&] { return solve_contact(condensed, x); });
     }
     timed(seconds_.triangular_solves, [&] { system_.expand(x, *unknown_); });
     if (!as_eigen(*unknown_).allFinite()) {
-        throw NumericsError("step " + std::to_string(step) + ", t = " + short_text(time) + ": " + equation_ +
+        throw NumericsError(equation_ +
                             ": the solution is not finite; scale the data, or use more time.steps");
     }
     return report;
 }
 
-SolveReport Balance::solve_contact(const Where& where, const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
+SolveReport Balance::solve_contact(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
     const Eigen::MatrixXd& S = system_.schur_complement();
     const Eigen::VectorXd start = x;
     const solve::NewtonResult direct = newton_.solve(S, rhs, contact_, x);
@@ -101,7 +100,7 @@ SolveReport Balance::solve_contact(const Where& where, const Eigen::VectorXd& rh
     }
     const double target = contact_.smallest_regularisation();
     if (target == 0) {
-        throw NumericsError(failure_text(where, direct, nullptr));
+        throw NumericsError(failure_text(equation_, direct, nullptr));
     }
     const auto rung = [&](double floor, Eigen::VectorXd& value) {
         contact_.raise_regularisation(floor);
@@ -114,7 +113,7 @@ SolveReport Balance::solve_contact(const Where& where, const Eigen::VectorXd& rh
     const solve::ContinuationResult ladder = solve::continue_regularisation(rung, fastest, target, x);
     contact_.raise_regularisation(0);
     if (ladder.newton.end != solve::NewtonEnd::converged) {
-        throw NumericsError(failure_text(where, direct, &ladder));
+        throw NumericsError(failure_text(equation_, direct, &ladder));
     }
     return {direct.iterations + ladder.newton.iterations, ladder.rungs};
 }

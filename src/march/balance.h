@@ -12,13 +12,6 @@
 
 namespace thermocontact::march {
 
-/// Where a failure is to be reported: "momentum balance", step and time.
-struct Where {
-    std::string equation;
-    int step;
-    double time;
-};
-
 /// Solves A x + F(x) = r for the unknowns that are not prescribed, A factored once.
 class Balance {
   public:
@@ -30,7 +23,7 @@ class Balance {
 
     /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws
     /// NumericsError if no solution is found, having tried Newton and continuation in the regularisation.
-    SolveReport solve(int step, double time, std::vector<double>& rhs);
+    SolveReport solve(std::vector<double>& rhs);
 
     const model::Prescribed& prescribed() const { return prescribed_; }
     model::FacetTerm& contact() { return contact_; }
@@ -41,7 +34,7 @@ class Balance {
     std::size_t contact_unknowns() const { return system_.contact_dofs().size(); }
 
   private:
-    SolveReport solve_contact(const Where& where, const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
+    SolveReport solve_contact(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
     void remove_prescribed(std::vector<double>& rhs);
 
     std::string equation_;

@@ -69,14 +69,14 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
     product(strain_heating_, state.displacement, strain_source_);
 }
 
-SolveReport Heat::advance(int step, double time, State& state) {
+SolveReport Heat::advance(double time, State& state) {
     const std::vector<double>& load = loads_.at(time);
     std::vector<double> rhs(load.size());
     as_eigen(rhs) =
         as_eigen(load) + as_eigen(std::as_const(stored_)) / step_ + as_eigen(std::as_const(strain_source_));
     trial_ = state.temperature;
     balance_->prescribed().apply(time, trial_);
-    const SolveReport report = balance_->solve(step, time, rhs);
+    const SolveReport report = balance_->solve(rhs);
     timed(audit_seconds_, [&] { audit(load); });
     std::swap(stored_, new_stored_);
     product(strain_heating_, state.displacement, strain_source_);

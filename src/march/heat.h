@@ -23,7 +23,7 @@ class Heat {
 
     /// From theta_{n-1} to theta_n at `time`; the displacement of `state` is already the new one. The
     /// temperature changes only if the solve succeeds. Throws NumericsError.
-    SolveReport advance(int step, double time, State& state);
+    SolveReport advance(double time, State& state);
 
     /// Norm, and every term of the heat balance of the last step (MODEL.md, 6).
     const Record& record() const { return record_; }

@@ -82,15 +82,11 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
 }
 
 void Momentum::apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
-                     Products& products) {
+                     Products& products) const {
     products.mass_w.resize(velocity.size());
     products.stiffness_u.resize(displacement.size());
     product(mass_, velocity, products.mass_w);
-    centred_ = displacement;
-    const auto nodes = static_cast<Eigen::Index>(displacement.size()) / dimension_;
-    const Eigen::VectorXd mean = resultant(as_eigen(displacement), dimension_) / static_cast<double>(nodes);
-    Eigen::Map<Eigen::MatrixXd>(centred_.data(), dimension_, nodes).colwise() -= mean;
-    product(stiffness_, centred_, products.stiffness_u);
+    product(stiffness_, centred(displacement, dimension_), products.stiffness_u);
 }
 
 void Momentum::restart(const State& state) {
@@ -106,7 +102,7 @@ std::vector<double> Momentum::right_hand_side(const std::vector<double>& load) c
     return rhs;
 }
 
-SolveReport Momentum::advance(int step, double time, State& state) {
+SolveReport Momentum::advance(double time, State& state) {
     const std::vector<double>& load = loads_.at(time);
     product(coupling_, state.temperature, thermal_);
     std::vector<double> rhs = right_hand_side(load);
@@ -118,7 +114,7 @@ SolveReport Momentum::advance(int step, double time, State& state) {
         const auto i = static_cast<std::size_t>(dof);
         trial_[i] = (new_u[i] - state.displacement[i]) / step_;
     }
-    const SolveReport report = balance_->solve(step, time, rhs);
+    const SolveReport report = balance_->solve(rhs);
     for (std::size_t i = 0; i < new_u.size(); ++i) {
         if (balance_->prescribed().fixed()[i] == 0) {
             new_u[i] += step_ * trial_[i];
@@ -171,7 +167,7 @@ void Momentum::audit(const std::vector<double>& load, const State& old, const st
     force_residual_ = force.residual;
     // |w|^2 = 2 KE / rho spares a product
     const double speed = density_ ? std::sqrt(2 * energy_terms.kinetic / *density_) : velocity_norm(trial_);
-    record_ = {{"velocity_l2", speed}, {"displacement_strain_l2", strain_norm(centred_)}};
+    record_ = {{"velocity_l2", speed}, {"displacement_strain_l2", strain_norm(new_u)}};
     record_.insert(record_.end(), energy.terms.begin(), energy.terms.end());
     record_.emplace_back("energy_residual", energy_residual_);
     record_.insert(record_.end(), force.terms.begin(), force.terms.end());
@@ -184,7 +180,8 @@ double Momentum::velocity_norm(const std::vector<double>& w) const {
 }
 
 double Momentum::strain_norm(const std::vector<double>& u) const {
-    return std::sqrt(std::max(0.0, as_eigen(u).dot(as_eigen(strain_gram_.multiply(u)))));
+    const std::vector<double> deformation = centred(u, dimension_);
+    return std::sqrt(std::max(0.0, as_eigen(deformation).dot(as_eigen(strain_gram_.multiply(deformation)))));
 }
 
 StepSeconds Momentum::seconds() const {

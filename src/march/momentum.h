@@ -22,7 +22,7 @@ class Momentum {
 
     /// From the state at t_{n-1} to u_n and w_n at `time`; the temperature of `state` is the old one. The
     /// state changes only if the solve succeeds. Throws NumericsError.
-    SolveReport advance(int step, double time, State& state);
+    SolveReport advance(double time, State& state);
 
     /// Takes up a state that advance() did not produce: the initial one, or an earlier one after a failure.
     void restart(const State& state);
@@ -46,10 +46,8 @@ class Momentum {
         std::vector<double> mass_w, stiffness_u;
     };
 
-    /// The stiffness acts on the displacement less its mean: a translation strains nothing, but that of a
-    /// body that has moved far would cost the digits of what does.
     void apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
-               Products& products);
+               Products& products) const;
 
     std::vector<double> right_hand_side(const std::vector<double>& load) const;
     MomentumForces collect_forces(const std::vector<double>& load);
@@ -65,8 +63,7 @@ class Momentum {
     model::Loads loads_;
     std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
     std::unique_ptr<Balance> balance_;
-    std::vector<double> centred_;  ///< displacement less its mean
-    Products old_, now_;           ///< of the last state and of the one being computed
+    Products old_, now_;  ///< of the last state and of the one being computed
     std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< nodal forces of the step
     std::vector<double> thermal_;  ///< (theta_{n-1} M, eps(v)), assembled
     double audit_seconds_ = 0;

@@ -59,24 +59,29 @@ void Simulation::advance() {
     try {
         model::update(surfaces_, space_, time);
         if (momentum_) {
-            momentum = momentum_->advance(step, time, state_);
+            momentum = momentum_->advance(time, state_);
         }
         if (heat_) {
-            heat = heat_->advance(step, time, state_);
+            heat = heat_->advance(time, state_);
         }
-    } catch (...) {
-        state_ = before;
-        if (momentum_) {
-            momentum_->restart(state_);
-        }
-        model::update(surfaces_, space_, before.time);
-        throw;
+    } catch (const NumericsError& error) {
+        restore(before);
+        throw NumericsError("step " + std::to_string(step) + ", t = " + short_text(time) + ": " +
+                            error.what());
     }
     state_.step = step;
     state_.time = time;
     momentum_report_ = momentum;
     heat_report_ = heat;
     count_step();
+}
+
+void Simulation::restore(const State& before) {
+    state_ = before;
+    if (momentum_) {
+        momentum_->restart(state_);
+    }
+    model::update(surfaces_, space_, before.time);
 }
 
 void Simulation::count_step() {

@@ -61,6 +61,7 @@ class Simulation {
 
   private:
     void initialise();
+    void restore(const State& before);
     void count_step();
 
     const scene::Scene* scene_;

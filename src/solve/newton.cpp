@@ -72,8 +72,16 @@ void Newton::polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, Nonlinea
 
 NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
                            Eigen::VectorXd& x) {
+    const NewtonResult result = iterate(S, s, F, x);
+    if (result.end != NewtonEnd::converged) {
+        has_factors_ = false;  // so that a retry goes the same way whatever was tried before
+    }
+    return result;
+}
+
+NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
+                             Eigen::VectorXd& x) {
     Residual current = residual(S, s, F, x);
-    bool fresh = false;
     for (int iteration = 0;; ++iteration) {
         if (!std::isfinite(current.norm)) {
             return {NewtonEnd::not_finite, iteration, current.relative};
@@ -85,7 +93,7 @@ NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, N
         if (iteration == options_.max_iterations) {
             return {NewtonEnd::too_many_iterations, iteration, current.relative};
         }
-        if (has_factors_ && !fresh) {
+        if (has_factors_) {
             Eigen::VectorXd candidate = x - factors_.solve(current.value);
             Residual next = residual(S, s, F, candidate);
             if (next.norm <= kept_factors_rate * current.norm) {
@@ -113,7 +121,6 @@ NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, N
                 break;
             }
         }
-        fresh = false;
     }
 }
 

@@ -68,6 +68,9 @@ class Newton {
     void polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x,
                 Residual& current);
 
+    NewtonResult iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
+                         Eigen::VectorXd& x);
+
     Residual residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
                       const Eigen::VectorXd& x);
     bool factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x);

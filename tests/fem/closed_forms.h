@@ -53,7 +53,7 @@ struct ClosedForm {
     Integrands integrands;
 };
 
-/// Scalar shape functions, or those of the vector space (node by node, components interleaved).
+/// One shape function of the vector space.
 struct VectorShape {
     Polynomial value;
     std::size_t component;
@@ -124,7 +124,7 @@ inline std::array<Polynomial, 3> strain(const Triangle& triangle, const VectorPo
     return {x[0], y[1], x[1] + y[0]};
 }
 
-/// (B^T C B) of the constant `tensor`; identity_in_tensor_norm gives eps : eps.
+/// B^T C B with C = `tensor` [3][3].
 inline std::vector<Polynomial> strain_product(const Situation& at, const std::vector<double>& tensor) {
     const auto shapes = vector_shapes(at);
     return outer(shapes, shapes,

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "error.h"
-#include "support/dense.h"
 #include "support/scenes.h"
 
 namespace thermocontact::march {
@@ -379,18 +378,6 @@ TEST_P(Failures, RestoreTheStateAndSayWhatHappened) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, Failures, testing::ValuesIn(failing),
                          [](const auto& info) { return info.param.name; });
-
-/// Whether a step that failed left traces: after it, the momentum's own memory is that of the state.
-TEST(Simulation, AFailedHeatStepDoesNotDisturbTheMomentum) {
-    const scene::Scene scene = scene::read(falling + failing[2].text),
-                       patient = scene::read(falling + failing[2].text, {"solver.max_iterations=50"});
-    Simulation failed(scene), undisturbed(patient);
-    failed.advance();
-    undisturbed.advance();
-    ASSERT_NE(failure_of(failed), "");
-    EXPECT_EQ(failed.state().velocity, undisturbed.state().velocity);
-    EXPECT_EQ(failed.state().temperature, undisturbed.state().temperature);
-}
 
 struct Singular {
     std::string name, text, equation, cure;

@@ -171,8 +171,8 @@ TEST(FacetTerm, DerivativeEqualsDifferences) {
     }
 }
 
-/// Contact that just touches counts as closed: derivative c_n k (phi_i n, phi_j n), by Simpson's rule of two
-/// facets.
+/// Contact that just touches counts as closed: derivative c_n k (phi_i n, phi_j n), with int phi_0^2 = length
+/// / 3.
 TEST(FacetTerm, TouchingIsClosed) {
     Bottom bottom({1e-3, 1.0, 0.0, 0.0});
     const Eigen::MatrixXd derivative = bottom.derivative();

@@ -3,6 +3,7 @@
 
 #include <SuiteSparse_config.h>
 #include <cholmod.h>
+#include <omp.h>
 
 #include <memory>
 
@@ -10,16 +11,21 @@
 
 namespace thermocontact::solve {
 
-/// Settings and workspace of CHOLMOD, quiet, with its large blocks in large pages.
+/// Settings and workspace of CHOLMOD, quiet, with its large blocks in large pages, and on one thread: its copy loops ask
+/// OpenMP for four threads whatever OMP_NUM_THREADS says, which cost more than they bring.
 class CholmodCommon {
   public:
-    CholmodCommon() {
+    CholmodCommon() : active_levels_(omp_get_max_active_levels()) {
+        omp_set_max_active_levels(0);
         SuiteSparse_config.malloc_func = allocate_huge;
         cholmod_start(&common_);
         common_.print = 0;
         common_.error_handler = nullptr;
     }
-    ~CholmodCommon() { cholmod_finish(&common_); }
+    ~CholmodCommon() {
+        cholmod_finish(&common_);
+        omp_set_max_active_levels(active_levels_);
+    }
     CholmodCommon(const CholmodCommon&) = delete;
     CholmodCommon& operator=(const CholmodCommon&) = delete;
 
@@ -28,6 +34,7 @@ class CholmodCommon {
 
   private:
     cholmod_common common_{};
+    int active_levels_;
 };
 
 struct FactorDeleter {

@@ -1,6 +1,7 @@
 #include "march/balance.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "error.h"
@@ -60,15 +61,15 @@ Balance::Balance(std::string equation, const scene::SolverSpec& options, fem::Bl
 }
 
 void Balance::remove_prescribed(std::vector<double>& rhs) {
+    const auto value = [&](std::int32_t dof) { return (*unknown_)[static_cast<std::size_t>(dof)]; };
+    if (std::ranges::all_of(prescribed_.dofs(), [&](std::int32_t dof) { return value(dof) == 0.0; })) {
+        return;
+    }
     std::vector<double> values(rhs.size(), 0.0);
-    bool any = false;
     for (const std::int32_t dof : prescribed_.dofs()) {
-        values[static_cast<std::size_t>(dof)] = (*unknown_)[static_cast<std::size_t>(dof)];
-        any = any || values[static_cast<std::size_t>(dof)] != 0.0;
+        values[static_cast<std::size_t>(dof)] = value(dof);
     }
-    if (any) {
-        as_eigen(rhs) -= as_eigen(matrix_.multiply(values));
-    }
+    as_eigen(rhs) -= as_eigen(matrix_.multiply(values));
 }
 
 SolveReport Balance::solve(std::vector<double>& rhs) {

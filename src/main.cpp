@@ -1,13 +1,12 @@
 /// thermocontact: dynamic frictional contact of a thermo-viscoelastic body with a rigid, heat-conducting
 /// foundation.
 
-#include <malloc.h>
-
 #include <iostream>
 #include <new>
 
 #include "app/check.h"
 #include "app/exit_code.h"
+#include "app/heap.h"
 #include "app/run.h"
 #include "error.h"
 #include "output/summary.h"
@@ -48,9 +47,7 @@ int fail(int code, const std::string& reason) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // vectors of a step come and go: keep their pages instead of returning them to the system each time
-    mallopt(M_MMAP_THRESHOLD, 1 << 30);
-    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    app::prepare_heap();
     try {
         return std::visit([](const auto& command) { return execute(command); },
                           app::parse_command_line(argc, argv));

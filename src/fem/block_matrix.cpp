@@ -1,6 +1,7 @@
 #include "fem/block_matrix.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace thermocontact::fem {
@@ -30,39 +31,82 @@ std::int32_t position(const NodeGraph& graph, std::int32_t row, std::int32_t col
     return static_cast<std::int32_t>(std::lower_bound(begin, end, column) - graph.columns.begin());
 }
 
+/// y += A x (transposed: y += A^T x) for one block.
 template <int rows, int columns>
-void multiply_blocks(const BlockMatrix& matrix, const double* x, double* y) {
+inline void add_product(const double* block, const double* x, double* y) {
+    for (int r = 0; r < rows; ++r) {
+        for (int c = 0; c < columns; ++c) {
+            y[r] += block[r * columns + c] * x[c];
+        }
+    }
+}
+template <int size>
+inline void add_transposed(const double* block, const double* x, double* y) {
+    for (int r = 0; r < size; ++r) {
+        for (int c = 0; c < size; ++c) {
+            y[c] += block[r * size + c] * x[r];
+        }
+    }
+}
+
+template <int size>
+void multiply_symmetric(const BlockMatrix& matrix, const double* x, double* y) {
+    const NodeGraph& graph = *matrix.graph;
+    const std::int32_t* column = graph.columns.data();
+    const double* block = matrix.values.data();
+    for (std::ptrdiff_t i = 0; i < graph.node_count(); ++i) {
+        const std::int32_t* end = graph.columns.data() + graph.offsets[static_cast<std::size_t>(i) + 1];
+        double here[size], sum[size] = {};
+        std::copy_n(x + i * size, size, here);
+        add_product<size, size>(block, here, sum);
+        for (++column, block += size * size; column < end; ++column, block += size * size) {
+            const std::ptrdiff_t j = std::ptrdiff_t{*column} * size;
+            add_product<size, size>(block, x + j, sum);
+            add_transposed<size>(block, here, y + j);
+        }
+        for (int r = 0; r < size; ++r) {
+            y[i * size + r] += sum[r];
+        }
+    }
+}
+
+template <int rows, int columns>
+void multiply_pairs(const BlockMatrix& matrix, const double* x, double* y) {
     const NodeGraph& graph = *matrix.graph;
     const double* block = matrix.values.data();
-    const std::int32_t* column = graph.columns.data();
-    for (std::size_t node = 0; node + 1 < graph.offsets.size(); ++node) {
-        double sum[rows] = {};
-        for (auto i = graph.offsets[node]; i < graph.offsets[node + 1];
-             ++i, block += std::ptrdiff_t{rows} * columns) {
-            const double* values = x + static_cast<std::ptrdiff_t>(*column++) * columns;
-            for (int r = 0; r < rows; ++r) {
-                for (int c = 0; c < columns; ++c) {
-                    sum[r] += block[r * columns + c] * values[c];
-                }
-            }
+    for (std::ptrdiff_t i = 0; i < graph.node_count(); ++i) {
+        for (auto p = graph.offsets[static_cast<std::size_t>(i)];
+             p < graph.offsets[static_cast<std::size_t>(i) + 1]; ++p, block += 2 * rows * columns) {
+            const std::ptrdiff_t j = graph.columns[static_cast<std::size_t>(p)];
+            add_product<rows, columns>(block, x + j * columns, y + i * rows);
+            add_product<rows, columns>(block + rows * columns, x + i * columns,
+                                       y + j * rows);  // zero where i = j
         }
-        std::copy_n(sum, rows, y + static_cast<std::ptrdiff_t>(node) * rows);
     }
 }
 
 template <int components>
 void multiply_scaled(const BlockMatrix& matrix, const double* x, double* y) {
     const NodeGraph& graph = *matrix.graph;
-    for (std::size_t node = 0; node + 1 < graph.offsets.size(); ++node) {
-        double sum[components] = {};
-        for (auto i = static_cast<std::size_t>(graph.offsets[node]);
-             i < static_cast<std::size_t>(graph.offsets[node + 1]); ++i) {
-            const double* values = x + static_cast<std::ptrdiff_t>(graph.columns[i]) * components;
+    const std::int32_t* column = graph.columns.data();
+    const double* factor = matrix.values.data();
+    for (std::ptrdiff_t i = 0; i < graph.node_count(); ++i) {
+        const std::int32_t* end = graph.columns.data() + graph.offsets[static_cast<std::size_t>(i) + 1];
+        double here[components], sum[components] = {};
+        for (int c = 0; c < components; ++c) {
+            here[c] = x[i * components + c];
+            sum[c] = *factor * here[c];
+        }
+        for (++column, ++factor; column < end; ++column, ++factor) {
+            const std::ptrdiff_t j = std::ptrdiff_t{*column} * components;
             for (int c = 0; c < components; ++c) {
-                sum[c] += matrix.values[i] * values[c];
+                sum[c] += *factor * x[j + c];
+                y[j + c] += *factor * here[c];
             }
         }
-        std::copy_n(sum, components, y + static_cast<std::ptrdiff_t>(node) * components);
+        for (int c = 0; c < components; ++c) {
+            y[i * components + c] += sum[c];
+        }
     }
 }
 
@@ -87,6 +131,20 @@ void scatter(std::span<const double> tensor, std::span<const std::int32_t> nodes
     }
 }
 
+/// Square operators are stored by half: a form that is not symmetric must not pass for its upper triangle.
+void require_symmetry(std::span<const double> tensor, std::size_t size, const std::string& form) {
+    double largest = 0, difference = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            largest = std::max(largest, std::abs(tensor[i * size + j]));
+            difference = std::max(difference, std::abs(tensor[i * size + j] - tensor[j * size + i]));
+        }
+    }
+    if (difference > 1e-10 * largest) {  // round-off of the kernel's sums is far below
+        throw std::logic_error("form " + form + " is not symmetric");
+    }
+}
+
 }  // namespace
 
 NodeGraph make_node_graph(const Space& space) {
@@ -101,6 +159,8 @@ NodeGraph make_node_graph(const Space& space) {
             const auto nodes = dofmap.of(cells[static_cast<std::size_t>(i)]);
             neighbours.insert(neighbours.end(), nodes.begin(), nodes.end());
         }
+        std::erase_if(neighbours,
+                      [&](std::int32_t other) { return other < static_cast<std::int32_t>(node); });
         std::ranges::sort(neighbours);
         const auto repeated = std::ranges::unique(neighbours);
         graph.columns.insert(graph.columns.end(), neighbours.begin(), repeated.begin());
@@ -109,7 +169,7 @@ NodeGraph make_node_graph(const Space& space) {
     for (std::int32_t cell = 0; cell < space.cellwise.node_count; ++cell) {
         for (const std::int32_t row : dofmap.of(cell)) {
             for (const std::int32_t column : dofmap.of(cell)) {
-                graph.cell_positions.push_back(position(graph, row, column));
+                graph.cell_positions.push_back(position(graph, std::min(row, column), std::max(row, column)));
             }
         }
     }
@@ -125,11 +185,12 @@ std::vector<double> BlockMatrix::multiply(const std::vector<double>& x) const {
 void BlockMatrix::multiply(const std::vector<double>& x, std::vector<double>& y) const {
     using Multiply = void (*)(const BlockMatrix&, const double*, double*);
     constexpr Multiply table[3][3] = {
-        {multiply_blocks<1, 1>, multiply_blocks<1, 2>, multiply_blocks<1, 3>},
-        {multiply_blocks<2, 1>, multiply_blocks<2, 2>, nullptr},
-        {multiply_blocks<3, 1>, nullptr, multiply_blocks<3, 3>},
+        {multiply_symmetric<1>, multiply_pairs<1, 2>, multiply_pairs<1, 3>},
+        {multiply_pairs<2, 1>, multiply_symmetric<2>, nullptr},
+        {multiply_pairs<3, 1>, nullptr, multiply_symmetric<3>},
     };
     constexpr Multiply scaled[3] = {multiply_scaled<1>, multiply_scaled<2>, multiply_scaled<3>};
+    std::ranges::fill(y, 0.0);
     (scaled_identities ? scaled[rows - 1] : table[rows - 1][columns - 1])(*this, x.data(), y.data());
 }
 
@@ -155,8 +216,9 @@ void BlockMatrix::add(double factor, const BlockMatrix& other) {
 }
 
 BlockMatrix zero_matrix(const NodeGraph& graph, int rows, int columns) {
-    const auto size = graph.columns.size() * static_cast<std::size_t>(rows * columns);
-    return {&graph, rows, columns, std::vector<double>(size, 0.0), false};
+    const int block = rows * columns * (rows == columns ? 1 : 2);
+    return {&graph, rows, columns,
+            std::vector<double>(graph.columns.size() * static_cast<std::size_t>(block), 0.0), false};
 }
 
 BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& graph, int rows, int columns) {
@@ -168,12 +230,23 @@ BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& grap
     for (std::int32_t cell = 0; cell < space.cellwise.node_count; ++cell) {
         std::ranges::fill(tensor, 0.0);
         form.add_cell(cell, tensor);
+        if (matrix.symmetric() && cell == 0) {
+            require_symmetry(tensor, n * r, form.name());
+        }
+        const auto nodes = space.dofmap.of(cell);
         for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                double* block = &matrix.values[static_cast<std::size_t>(*target++) * r * c];
+            for (std::size_t j = 0; j < n; ++j, ++target) {
+                const bool lower = nodes[j] < nodes[i];
+                if (lower && matrix.symmetric()) {
+                    continue;
+                }
+                const std::size_t block = matrix.symmetric()
+                                              ? static_cast<std::size_t>(*target)
+                                              : 2 * static_cast<std::size_t>(*target) + (lower ? 1 : 0);
+                double* values = &matrix.values[block * r * c];
                 for (std::size_t a = 0; a < r; ++a) {
                     for (std::size_t b = 0; b < c; ++b) {
-                        block[a * c + b] += tensor[(i * r + a) * n * c + j * c + b];
+                        values[a * c + b] += tensor[(i * r + a) * n * c + j * c + b];
                     }
                 }
             }

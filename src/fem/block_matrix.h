@@ -9,25 +9,30 @@
 
 namespace thermocontact::fem {
 
-/// Which nodes couple: compressed rows with sorted columns, shared by all matrices of a space.
+/// Which nodes couple: for each node those of its neighbours that are not before it, itself first, in order.
+/// Shared by all matrices of a space.
 struct NodeGraph {
     std::vector<std::int32_t> offsets;  ///< [nodes + 1]
     std::vector<std::int32_t> columns;  ///< [offsets.back()]
     std::vector<std::int32_t>
-        cell_positions;  ///< [cells][row node][column node]: where an element tensor goes
+        cell_positions;  ///< [cells][row node][column node]: of the pair, whatever its order
 
     std::int32_t node_count() const { return static_cast<std::int32_t>(offsets.size()) - 1; }
 };
 
 NodeGraph make_node_graph(const Space& space);
 
-/// y = A x with A [nodes x rows][nodes x columns]; blocks row-major at the positions of the graph.
+/// y = A x with A [nodes x rows][nodes x columns], blocks row-major at the positions of the graph. Square
+/// ones are symmetric and hold the upper triangle; others hold for each pair i <= j the block (i, j) and then
+/// (j, i).
 struct BlockMatrix {
     const NodeGraph* graph;
     int rows;     ///< components of y at a node
     int columns;  ///< components of x at a node
     std::vector<double> values;
     bool scaled_identities = false;  ///< each block is a multiple of the identity, `values` holds its factor
+
+    bool symmetric() const { return rows == columns; }
 
     std::vector<double> multiply(const std::vector<double>& x) const;
 
@@ -44,7 +49,8 @@ struct BlockMatrix {
 
 BlockMatrix zero_matrix(const NodeGraph& graph, int rows, int columns);
 
-/// Sum over all cells of the form's tensors [node, row][node, column].
+/// Sum over all cells of the form's tensors [node, row][node, column]. Throws std::logic_error for a square
+/// form that is not symmetric.
 BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& graph, int rows, int columns);
 
 /// Adds the form's tensors [node, component] of all cells to `vector`.

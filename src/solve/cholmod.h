@@ -3,7 +3,6 @@
 
 #include <SuiteSparse_config.h>
 #include <cholmod.h>
-#include <omp.h>
 
 #include <memory>
 
@@ -11,21 +10,11 @@
 
 namespace thermocontact::solve {
 
-/// Settings and workspace of CHOLMOD, quiet, with its large blocks in large pages, and on one thread: its copy loops ask
-/// OpenMP for four threads whatever OMP_NUM_THREADS says, which cost more than they bring.
+/// Settings and workspace of CHOLMOD, quiet, with its large blocks in large pages.
 class CholmodCommon {
   public:
-    CholmodCommon() : active_levels_(omp_get_max_active_levels()) {
-        omp_set_max_active_levels(0);
-        SuiteSparse_config.malloc_func = allocate_huge;
-        cholmod_start(&common_);
-        common_.print = 0;
-        common_.error_handler = nullptr;
-    }
-    ~CholmodCommon() {
-        cholmod_finish(&common_);
-        omp_set_max_active_levels(active_levels_);
-    }
+    CholmodCommon();
+    ~CholmodCommon();
     CholmodCommon(const CholmodCommon&) = delete;
     CholmodCommon& operator=(const CholmodCommon&) = delete;
 
@@ -34,7 +23,6 @@ class CholmodCommon {
 
   private:
     cholmod_common common_{};
-    int active_levels_;
 };
 
 struct FactorDeleter {

@@ -12,13 +12,22 @@ inline Eigen::MatrixXd dense(const fem::BlockMatrix& matrix) {
     const fem::NodeGraph& graph = *matrix.graph;
     Eigen::MatrixXd result =
         Eigen::MatrixXd::Zero(graph.node_count() * matrix.rows, graph.node_count() * matrix.columns);
+    const int size = matrix.rows * matrix.columns;
+    const auto block = [&](int position) {
+        using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        return Eigen::Map<const Block>(&matrix.values[position * size], matrix.rows, matrix.columns);
+    };
+    const auto part = [&](int row, int column) {
+        return result.block(row * matrix.rows, column * matrix.columns, matrix.rows, matrix.columns);
+    };
     for (int node = 0; node < graph.node_count(); ++node) {
         for (int i = graph.offsets[node]; i < graph.offsets[node + 1]; ++i) {
-            for (int r = 0; r < matrix.rows; ++r) {
-                for (int c = 0; c < matrix.columns; ++c) {
-                    result(node * matrix.rows + r, graph.columns[i] * matrix.columns + c) =
-                        matrix.values[(i * matrix.rows + r) * matrix.columns + c];
-                }
+            const int other = graph.columns[i];
+            part(node, other) += block(matrix.symmetric() ? i : 2 * i);
+            if (!matrix.symmetric()) {
+                part(other, node) += block(2 * i + 1);
+            } else if (other != node) {
+                part(other, node) += block(i).transpose();
             }
         }
     }

@@ -110,6 +110,41 @@ void multiply_scaled(const BlockMatrix& matrix, const double* x, double* y) {
     }
 }
 
+/// sum_i x_i . (A_ii x_i + 2 sum_{j > i} A_ij x_j).
+template <int size, bool scaled>
+double quadratic(const BlockMatrix& matrix, const double* x) {
+    const NodeGraph& graph = *matrix.graph;
+    const std::int32_t* column = graph.columns.data();
+    const double* block = matrix.values.data();
+    const auto add = [&](double* sum) {
+        const double* values = x + std::ptrdiff_t{*column} * size;
+        for (int r = 0; r < size; ++r) {
+            if constexpr (scaled) {
+                sum[r] += *block * values[r];
+            } else {
+                for (int c = 0; c < size; ++c) {
+                    sum[r] += block[r * size + c] * values[c];
+                }
+            }
+        }
+        ++column;
+        block += scaled ? 1 : size * size;
+    };
+    double total = 0;
+    for (std::ptrdiff_t i = 0; i < graph.node_count(); ++i) {
+        const std::int32_t* end = graph.columns.data() + graph.offsets[static_cast<std::size_t>(i) + 1];
+        double diagonal[size] = {}, others[size] = {};
+        add(diagonal);
+        while (column < end) {
+            add(others);
+        }
+        for (int r = 0; r < size; ++r) {
+            total += x[i * size + r] * (diagonal[r] + 2 * others[r]);
+        }
+    }
+    return total;
+}
+
 bool is_scaled_identity(const double* block, std::size_t size) {
     for (std::size_t r = 0; r < size; ++r) {
         for (std::size_t c = 0; c < size; ++c) {
@@ -192,6 +227,13 @@ void BlockMatrix::multiply(const std::vector<double>& x, std::vector<double>& y)
     constexpr Multiply scaled[3] = {multiply_scaled<1>, multiply_scaled<2>, multiply_scaled<3>};
     std::ranges::fill(y, 0.0);
     (scaled_identities ? scaled[rows - 1] : table[rows - 1][columns - 1])(*this, x.data(), y.data());
+}
+
+double BlockMatrix::quadratic_form(const std::vector<double>& x) const {
+    using Quadratic = double (*)(const BlockMatrix&, const double*);
+    constexpr Quadratic table[2][3] = {{quadratic<1, false>, quadratic<2, false>, quadratic<3, false>},
+                                       {quadratic<1, true>, quadratic<2, true>, quadratic<3, true>}};
+    return table[scaled_identities ? 1 : 0][rows - 1](*this, x.data());
 }
 
 void BlockMatrix::compress() {

@@ -39,6 +39,9 @@ struct BlockMatrix {
     /// y = A x without allocating; y has its size already.
     void multiply(const std::vector<double>& x, std::vector<double>& y) const;
 
+    /// x^T A x of a symmetric matrix: half the work of a product.
+    double quadratic_form(const std::vector<double>& x) const;
+
     /// Keeps the factors only if every block is a multiple of the identity (mass matrices); does nothing
     /// otherwise.
     void compress();

@@ -82,30 +82,29 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
 }
 
 void Momentum::apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
-                     Products& products) const {
+                     Products& products) {
     products.mass_w.resize(velocity.size());
     products.stiffness_u.resize(displacement.size());
     product(mass_, velocity, products.mass_w);
-    product(stiffness_, centred(displacement, dimension_), products.stiffness_u);
+    deformation_ = displacement;
+    centre(deformation_, dimension_);
+    product(stiffness_, deformation_, products.stiffness_u);
 }
 
 void Momentum::restart(const State& state) {
     apply(state.velocity, state.displacement, old_);
 }
 
-std::vector<double> Momentum::right_hand_side(const std::vector<double>& load) const {
-    std::vector<double> rhs = load;
-    as_eigen(rhs) += as_eigen(old_.mass_w) / step_ - as_eigen(old_.stiffness_u);
-    if (coupling_) {
-        as_eigen(rhs) += as_eigen(thermal_);
-    }
-    return rhs;
+void Momentum::set_right_hand_side(const std::vector<double>& load) {
+    rhs_.resize(load.size());
+    as_eigen(rhs_) = as_eigen(load) + as_eigen(std::as_const(old_.mass_w)) / step_ -
+                     as_eigen(std::as_const(old_.stiffness_u)) + as_eigen(std::as_const(thermal_));
 }
 
 SolveReport Momentum::advance(double time, State& state) {
     const std::vector<double>& load = loads_.at(time);
     product(coupling_, state.temperature, thermal_);
-    std::vector<double> rhs = right_hand_side(load);
+    set_right_hand_side(load);
     std::vector<double> new_u = state.displacement;
     balance_->prescribed().apply(time, new_u);
     trial_ = state.velocity;
@@ -114,7 +113,7 @@ SolveReport Momentum::advance(double time, State& state) {
         const auto i = static_cast<std::size_t>(dof);
         trial_[i] = (new_u[i] - state.displacement[i]) / step_;
     }
-    const SolveReport report = balance_->solve(rhs);
+    const SolveReport report = balance_->solve(rhs_);
     for (std::size_t i = 0; i < new_u.size(); ++i) {
         if (balance_->prescribed().fixed()[i] == 0) {
             new_u[i] += step_ * trial_[i];
@@ -127,7 +126,6 @@ SolveReport Momentum::advance(double time, State& state) {
 }
 
 MomentumForces Momentum::collect_forces(const std::vector<double>& load) {
-    as_eigen(inertia_) = (as_eigen(now_.mass_w) - as_eigen(old_.mass_w)) / step_;
     product(damping_, trial_, viscous_);
     balance_->contact().nodal_forces("compliance", compliance_);
     balance_->contact().nodal_forces("friction", friction_);
@@ -141,33 +139,41 @@ MomentumForces Momentum::collect_forces(const std::vector<double>& load) {
             view(friction_), view(load),     view(reaction_)};
 }
 
-Energies Momentum::energies(const State& old, const std::vector<double>& new_u) const {
-    const auto w = as_eigen(trial_), w_old = as_eigen(old.velocity);
-    const auto u = as_eigen(new_u), u_old = as_eigen(old.displacement);
-    const auto mass_w = as_eigen(now_.mass_w), mass_w_old = as_eigen(old_.mass_w);
-    const auto stiffness_u = as_eigen(now_.stiffness_u), stiffness_u_old = as_eigen(old_.stiffness_u);
-    Energies result;
-    result.kinetic_old = w_old.dot(mass_w_old) / 2;
-    result.kinetic = w.dot(mass_w) / 2;
-    result.kinetic_numerical = (w - w_old).dot(mass_w - mass_w_old) / 2;
-    result.strain_old = u_old.dot(stiffness_u_old) / 2;
-    result.strain = u.dot(stiffness_u) / 2;
-    result.strain_numerical = step_ * w.dot(stiffness_u - stiffness_u_old) / 2;
-    return result;
+Energies Momentum::energies(const State& old, const std::vector<double>& new_u) {
+    Energies sums;
+    for (std::size_t i = 0; i < trial_.size(); ++i) {
+        const double mass_change = now_.mass_w[i] - old_.mass_w[i],
+                     stiffness_change = now_.stiffness_u[i] - old_.stiffness_u[i];
+        inertia_[i] = mass_change / step_;
+        sums.kinetic_old += old.velocity[i] * old_.mass_w[i];
+        sums.kinetic += trial_[i] * now_.mass_w[i];
+        sums.kinetic_numerical += (trial_[i] - old.velocity[i]) * mass_change;
+        sums.strain_old += old.displacement[i] * old_.stiffness_u[i];
+        sums.strain += new_u[i] * now_.stiffness_u[i];
+        sums.strain_numerical += step_ * trial_[i] * stiffness_change;
+    }
+    for (double Energies::*sum : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical,
+                                  &Energies::strain_old, &Energies::strain, &Energies::strain_numerical}) {
+        sums.*sum /= 2;
+    }
+    return sums;
 }
 
 void Momentum::audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u) {
     apply(trial_, new_u, now_);
-    const MomentumForces forces = collect_forces(load);
     const Energies energy_terms = energies(old, new_u);
-    const Audit energy = audit_energy(energy_terms, forces, as_eigen(std::as_const(trial_)), step_);
-    const Audit force = audit_forces(forces, dimension_);
+    const MomentumForces forces = collect_forces(load);
+    const MomentumSums sums = sum_up(forces, as_eigen(std::as_const(trial_)), dimension_);
+    const Audit energy = audit_energy(energy_terms, sums, step_);
+    const Audit force = audit_forces(sums, dimension_);
     std::swap(old_, now_);
     energy_residual_ = energy.residual;
     force_residual_ = force.residual;
-    // |w|^2 = 2 KE / rho spares a product
+    // |w|^2 = 2 KE / rho spares a product, the deformation of apply() another pass
     const double speed = density_ ? std::sqrt(2 * energy_terms.kinetic / *density_) : velocity_norm(trial_);
-    record_ = {{"velocity_l2", speed}, {"displacement_strain_l2", strain_norm(new_u)}};
+    record_ = {
+        {"velocity_l2", speed},
+        {"displacement_strain_l2", std::sqrt(std::max(0.0, strain_gram_.quadratic_form(deformation_)))}};
     record_.insert(record_.end(), energy.terms.begin(), energy.terms.end());
     record_.emplace_back("energy_residual", energy_residual_);
     record_.insert(record_.end(), force.terms.begin(), force.terms.end());
@@ -176,12 +182,12 @@ void Momentum::audit(const std::vector<double>& load, const State& old, const st
 
 double Momentum::velocity_norm(const std::vector<double>& w) const {
     const fem::BlockMatrix& gram = mass_ ? *mass_ : *velocity_gram_;
-    return std::sqrt(std::max(0.0, as_eigen(w).dot(as_eigen(gram.multiply(w)))) / density_.value_or(1.0));
+    return std::sqrt(std::max(0.0, gram.quadratic_form(w)) / density_.value_or(1.0));
 }
 
-double Momentum::strain_norm(const std::vector<double>& u) const {
-    const std::vector<double> deformation = centred(u, dimension_);
-    return std::sqrt(std::max(0.0, as_eigen(deformation).dot(as_eigen(strain_gram_.multiply(deformation)))));
+double Momentum::strain_norm(std::vector<double> u) const {
+    centre(u, dimension_);
+    return std::sqrt(std::max(0.0, strain_gram_.quadratic_form(u)));
 }
 
 StepSeconds Momentum::seconds() const {

@@ -34,7 +34,7 @@ class Momentum {
 
     /// ||w||_L2 and ||eps(u)||_L2 of a state.
     double velocity_norm(const std::vector<double>& w) const;
-    double strain_norm(const std::vector<double>& u) const;
+    double strain_norm(std::vector<double> u) const;
 
     const Balance& balance() const { return *balance_; }
 
@@ -47,11 +47,11 @@ class Momentum {
     };
 
     void apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
-               Products& products) const;
+               Products& products);
 
-    std::vector<double> right_hand_side(const std::vector<double>& load) const;
+    void set_right_hand_side(const std::vector<double>& load);
     MomentumForces collect_forces(const std::vector<double>& load);
-    Energies energies(const State& old, const std::vector<double>& new_u) const;
+    Energies energies(const State& old, const std::vector<double>& new_u);  ///< fills the inertia, too
     void audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u);
 
     int dimension_;
@@ -63,7 +63,8 @@ class Momentum {
     model::Loads loads_;
     std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
     std::unique_ptr<Balance> balance_;
-    Products old_, now_;  ///< of the last state and of the one being computed
+    Products old_, now_;                     ///< of the last state and of the one being computed
+    std::vector<double> rhs_, deformation_;  ///< the latter: displacement less its mean
     std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< nodal forces of the step
     std::vector<double> thermal_;  ///< (theta_{n-1} M, eps(v)), assembled
     double audit_seconds_ = 0;

@@ -21,40 +21,62 @@ double relative_difference(const Record& left, const Record& right, double extra
     return scale > 0 ? std::abs(difference) / scale : 0.0;
 }
 
+template <int components>
+MomentumSums sum_over_nodes(const MomentumForces& forces, const double* velocity, std::ptrdiff_t nodes) {
+    constexpr int count = 7;
+    const double* const values[count] = {
+        forces.inertia.data(),  forces.viscous.data(), forces.thermal.data(), forces.compliance.data(),
+        forces.friction.data(), forces.load.data(),    forces.reaction.data()};
+    ForceSums sums[count];
+    for (std::ptrdiff_t i = 0; i < nodes * components; i += components) {
+        for (int f = 0; f < count; ++f) {
+            for (int c = 0; c < components; ++c) {
+                const double value = values[f][i + c];
+                sums[f].power += value * velocity[i + c];
+                sums[f].magnitude += std::abs(value);
+                sums[f].resultant[static_cast<std::size_t>(c)] += value;
+            }
+        }
+    }
+    return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6]};
+}
+
 }  // namespace
 
-Audit audit_energy(const Energies& energies, const MomentumForces& forces, const Eigen::VectorXd& velocity,
-                   double step) {
-    const auto work = [&](const ConstVectorMap& force) { return step * velocity.dot(force); };
+MomentumSums sum_up(const MomentumForces& forces, const ConstVectorMap& velocity, int components) {
+    const auto nodes = velocity.size() / components;
+    return components == 2 ? sum_over_nodes<2>(forces, velocity.data(), nodes)
+                           : sum_over_nodes<3>(forces, velocity.data(), nodes);
+}
+
+Audit audit_energy(const Energies& energies, const MomentumSums& sums, double step) {
+    const auto work = [&](const ForceSums& force) { return step * force.power; };
     const Record left{{"kinetic_energy", energies.kinetic},
                       {"strain_energy", energies.strain},
                       {"kinetic_numerical_dissipation", energies.kinetic_numerical},
                       {"strain_numerical_dissipation", energies.strain_numerical},
-                      {"viscous_dissipation", work(forces.viscous)},
-                      {"compliance_work", work(forces.compliance)},
-                      {"friction_dissipation", work(forces.friction)}};
-    const Record right{{"load_work", work(forces.load)},
-                       {"thermal_work", work(forces.thermal)},
-                       {"reaction_work", work(forces.reaction)}};
+                      {"viscous_dissipation", work(sums.viscous)},
+                      {"compliance_work", work(sums.compliance)},
+                      {"friction_dissipation", work(sums.friction)}};
+    const Record right{{"load_work", work(sums.load)},
+                       {"thermal_work", work(sums.thermal)},
+                       {"reaction_work", work(sums.reaction)}};
     Audit audit{left, relative_difference(left, right, -energies.kinetic_old - energies.strain_old)};
     audit.terms.insert(audit.terms.end(), right.begin(), right.end());
     return audit;
 }
 
-Audit audit_forces(const MomentumForces& forces, int components) {
+Audit audit_forces(const MomentumSums& sums, int components) {
     Audit audit{{}, 0.0};
-    const Eigen::VectorXd inertias = resultant(forces.inertia, components);
-    const Eigen::VectorXd contacts =
-        resultant(forces.compliance, components) + resultant(forces.friction, components);
-    const Eigen::VectorXd loads = resultant(forces.load, components);
-    const Eigen::VectorXd reactions = resultant(forces.reaction, components);
     // the magnitude of what is summed: loads that balance each other still count
-    const double scale = forces.inertia.lpNorm<1>() + forces.compliance.lpNorm<1>() +
-                         forces.friction.lpNorm<1>() + forces.load.lpNorm<1>() + forces.reaction.lpNorm<1>();
+    const double scale = sums.inertia.magnitude + sums.compliance.magnitude + sums.friction.magnitude +
+                         sums.load.magnitude + sums.reaction.magnitude;
     double difference = 0;
-    for (int c = 0; c < components; ++c) {
+    for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
         const std::string axis(1, "xyz"[c]);
-        const double inertia = inertias[c], contact = contacts[c], load = loads[c], reaction = reactions[c];
+        const double inertia = sums.inertia.resultant[c], load = sums.load.resultant[c],
+                     contact = sums.compliance.resultant[c] + sums.friction.resultant[c],
+                     reaction = sums.reaction.resultant[c];
         difference += std::abs(inertia + contact - load - reaction);
         audit.terms.insert(audit.terms.end(), {{"inertia_force_" + axis, inertia},
                                                {"contact_force_" + axis, contact},

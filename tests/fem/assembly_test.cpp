@@ -237,6 +237,11 @@ TEST(BlockMatrix, MultipliesLikeADenseMatrix) {
         // rows of at most 25 blocks: 75 products of numbers below 1
         EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), 75 * std::numeric_limits<double>::epsilon())
             << rows << "x" << columns;
+        if (matrix.symmetric()) {
+            const double square = support::as_vector(x).dot(expected);
+            EXPECT_NEAR(matrix.quadratic_form(x), square,
+                        expected.size() * 75 * std::numeric_limits<double>::epsilon());
+        }
         std::vector<double> reused(static_cast<std::size_t>(expected.size()), 1e300);
         matrix.multiply(x, reused);
         EXPECT_EQ(reused, matrix.multiply(x));

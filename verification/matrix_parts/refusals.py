@@ -1,0 +1,95 @@
+"""Scenes that must be refused, made from the schema alone: each needs exit code 2 and the key in the message."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from matrix_parts.cases import generic
+from matrix_parts.coverage import Entry
+from matrix_parts.scenes import BASES, Flat, is_below, without
+
+BASE, SIDE = "contact bottom", "bottom"
+
+
+@dataclass(frozen=True)
+class Refusal:
+    key: str
+    why: str
+    scene: Flat
+
+
+def refusals(schema: Sequence[Entry]) -> list[Refusal]:
+    found = [refusal for entry in schema for refusal in _of(entry, schema)]
+    return [*found, Refusal("mesh.no_such_key", "an unknown key", BASES[BASE] | {"mesh.no_such_key": 1})]
+
+
+def _of(entry: Entry, schema: Sequence[Entry]) -> Iterator[Refusal]:
+    key, name = str(entry["key"]), str(entry["key"]).replace("NAME", SIDE)
+    base = _with_room(entry)
+    yield Refusal(key, "a value of the wrong type", base | {name: True})
+    for value in _out_of_range(entry):
+        yield Refusal(key, f"{value} is out of range", base | {name: value})
+    if entry["choices"] and "list" not in str(entry["type"]):
+        yield Refusal(key, "no such choice", base | {name: "no such choice"})
+    if entry["required"] and name in base:
+        yield Refusal(key, "required, and left out", _beside(entry, schema) | without(base, [name]))
+    for need in entry["needs"]:
+        scene = _stripped(base, need, schema)
+        yield Refusal(key, f"needs {need}", scene | {name: entry["example"]})
+    for other in entry["excludes"]:
+        # whichever of the two the message names
+        beside = without(base, [other]) if f"{other}.".replace("NAME", SIDE) in name else base
+        yield Refusal(key, f"excludes {other}", beside | _least(other) | {name: entry["example"]})
+
+
+def _with_room(entry: Entry) -> Flat:
+    """The base scene without what stands instead of the key."""
+    base = BASES[BASE]
+    return without(base, [entry["instead"]]) if entry["instead"] else base
+
+
+def _out_of_range(entry: Entry) -> list[Any]:
+    limits = entry["range"]
+    if not limits:
+        return []
+    values = [limits["low"] if limits["low_open"] else limits["low"] - 1]
+    if limits["high"] is not None:
+        values.append(limits["high"] if limits["high_open"] else limits["high"] + 1)
+    if "integer" in str(entry["type"]):
+        values = [int(value) for value in values]
+    if str(entry["type"])[0].isdigit():
+        values = [[value] * int(str(entry["type"]).split()[0]) for value in values]
+    return values
+
+
+def _beside(entry: Entry, schema: Sequence[Entry]) -> Flat:
+    """An optional key of the same table, which else might vanish with its only key and be right again."""
+    table = str(entry["key"]).rpartition(".")[0]
+    beside = {
+        str(other["key"]).replace("NAME", SIDE): other["example"] for other in schema if not other["required"]
+    }
+    found = [name for name in beside if name.rpartition(".")[0] == table.replace("NAME", SIDE)]
+    return {name: beside[name] for name in found[:1]} if "contact" in table else {}
+
+
+def _stripped(scene: Flat, need: str, schema: Sequence[Entry]) -> Flat:
+    """The scene without that table and without all that needs it, so that one mistake is left."""
+    needs = {str(entry["key"]): [str(need) for need in entry["needs"]] for entry in schema}
+    kept, before = without(scene, [need.replace("NAME", SIDE)]), scene
+    while len(kept) < len(before):
+        before = kept
+        kept = {name: value for name, value in kept.items() if _is_served(name, needs, before)}
+    return kept
+
+
+def _is_served(name: str, needs: Mapping[str, Sequence[str]], scene: Flat) -> bool:
+    tables = [need.replace("NAME", SIDE) for need in needs.get(generic(name), ())]
+    return all(any(is_below(key, table) for key in scene) for table in tables)
+
+
+def _least(key: str) -> Flat:
+    """What a scene needs to have that key, or the table of that name."""
+    scene = BASES[BASE]
+    prefix = key.replace("NAME", SIDE)
+    found = {name: value for name, value in scene.items() if is_below(name, prefix)}
+    return found or {prefix: 1.0}

@@ -1,0 +1,102 @@
+"""Scenes in which several things meet that a change of one key does not bring together."""
+
+from typing import Any
+
+from matrix_parts.cases import Case
+from matrix_parts.scenes import ABSENT, BASES, Flat, changed, contact_laws
+from matrix_parts.variations import CONDUCTOR, COUPLING, ELASTIC_TENSOR, VISCOUS_TENSOR
+
+BASE = "contact bottom"
+ANISOTROPIC: Flat = {
+    "material.elasticity": ABSENT,
+    "material.viscosity": ABSENT,
+    "material.elasticity.tensor": ELASTIC_TENSOR,
+    "material.viscosity.tensor": VISCOUS_TENSOR,
+    "heat.conductivity": CONDUCTOR,
+    "heat.thermal_stress": [[0.3, 0.1], [0.1, 0.2]],
+    "heat.strain_heating": COUPLING,
+}
+SOFT_RIGHT: Flat = {
+    "boundary.right.contact.gap": "0.01*y - 0.006",
+    "boundary.right.contact.quadrature": "vertex",
+    "boundary.right.contact.compliance.stiffness": 300.0,
+    "boundary.right.contact.compliance.exponent": 2.0,
+    "boundary.right.contact.conductance.coefficient": 0.7,
+    "boundary.right.contact.conductance.onset": 1e-3,
+    "boundary.right.contact.conductance.foundation_temperature": -1.0,
+    "boundary.right.contact.conductance.limit": 0.9,
+}
+ONLY_HEAT_LEFT: Flat = {
+    "boundary.left.contact.gap": "-0.002",
+    "boundary.left.contact.conductance.coefficient": 1.5,
+    "boundary.left.contact.conductance.onset": 4e-3,
+    "boundary.left.contact.conductance.foundation_temperature": "2*t",
+}
+# Both corners of the lid and one of the foundation, at odds: the later name in the alphabet has the node
+CORNERS: Flat = {
+    "boundary.top.displacement": ["0.01 + 0.1*t", -0.02],
+    "boundary.left.traction": ABSENT,
+    "boundary.left.heat_flux": ABSENT,
+    "boundary.left.displacement": [-0.01, "0.02*t"],
+    "boundary.right.displacement": ["0.03*y", "free"],
+    "boundary.left.temperature": "1 + t",
+    "boundary.right.temperature": -1.0,
+}
+
+
+def _tables() -> dict[str, Flat]:
+    sides: tuple[Any, ...] = ("left", "right", "top")
+    return {
+        "two contacts, different laws": SOFT_RIGHT,
+        "three contacts, one only for heat": {**SOFT_RIGHT, **ONLY_HEAT_LEFT},
+        "contact on all sides, nothing prescribed": {
+            "boundary.top": ABSENT,
+            **{key: value for side in sides for key, value in contact_laws(side).items()},
+        },
+        "corners at odds": CORNERS,
+        "corners at odds, degree 2": {**CORNERS, "space.degree": 2, "mesh.diagonal": "left"},
+        "anisotropic, all couplings": ANISOTROPIC,
+        "anisotropic, two contacts, degree 2, crossed": {
+            **ANISOTROPIC,
+            **SOFT_RIGHT,
+            "space.degree": 2,
+            "mesh.diagonal": "crossed",
+            "mesh.lower": [-0.5, 0.2],
+        },
+        "anisotropic, quasi-static, stationary heat": {
+            **ANISOTROPIC,
+            "material.density": ABSENT,
+            "initial.velocity": ABSENT,
+            "heat.capacity": ABSENT,
+        },
+        "traction and heat flux beside contact": {
+            "boundary.bottom.traction": ["0.5*x", "0.2 + t"],
+            "boundary.bottom.heat_flux": "1 - x*t",
+        },
+        "one component prescribed under contact": {"boundary.bottom.displacement": ["0.1*t", "free"]},
+        "contact opens and closes": {
+            "boundary.bottom.contact.gap": "0.03*sin(20*t)",
+            "time.end": 0.5,
+            "time.steps": 5,
+        },
+        "a bump travels below": {"boundary.bottom.contact.gap": "0.02 - 0.05*exp(-20*(x - 3*t)^2)"},
+        "thin body, fine friction": {
+            "mesh.upper": [4.0, 0.5],
+            "mesh.cells": [6, 4],
+            "boundary.bottom.contact.friction.regularisation": 1e-6,
+        },
+        "every function of expressions": {
+            "heat.source": "sin(x) + cos(y) + tan(t) + asin(x/2) + acos(y/2) + atan(t) + sinh(x) + cosh(y) + tanh(t)"
+            " + exp(-x) + ln(1 + y) + log10(2 + t) + sqrt(x) + abs(y - 0.4) + min(x, y, t) + max(x, y, t) + pi*e",
+            "load.body_force": [
+                "x <= 0.5 && y < 0.5 ? 1 : -x^2^0.5",
+                "x > 0.5 || y >= 0.4 ? t : (x != y) + (x == y)",
+            ],
+        },
+    }
+
+
+def together_cases() -> list[Case]:
+    return [
+        Case("together", label, changed(BASES[BASE], changes), BASE) for label, changes in _tables().items()
+    ]

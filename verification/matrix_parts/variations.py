@@ -1,0 +1,224 @@
+"""The table: for every key of the schema the values that are tried. coverage.py says what must be in it."""
+
+from matrix_parts.cases import Variation, vary
+from matrix_parts.scenes import ABSENT, BESIDE, OPPOSITE, SIDES
+
+DEFAULT = "the default, written out"
+NAME_ONLY = "a name"
+FILES_ONLY = "says what is written, not what is computed"
+SOLVER_ONLY = "says how the equations are solved, not which"
+
+CONTACT = "contact bottom"
+ISOTROPIC = ("material.elasticity.young", "material.elasticity.poisson")
+ELASTIC_TENSOR = [[6.0, 2.0, 0.4], [2.0, 4.0, -0.3], [0.4, -0.3, 1.5]]
+VISCOUS_TENSOR = [[1.2, 0.2, 0.05], [0.2, 0.8, -0.1], [0.05, -0.1, 0.3]]
+CONDUCTOR = [[1.0, 0.25], [0.25, 0.6]]
+SINGULAR = [[1.0, 1.0], [1.0, 1.0]]
+COUPLING = [[0.4, -0.1], [-0.1, 0.3]]
+
+
+def _mesh_and_time() -> dict[str, list[Variation]]:
+    return {
+        "title": vary(CONTACT, "title", "another title", same=NAME_ONLY),
+        "mesh.shape": vary(CONTACT, "mesh.shape", "rectangle", same=DEFAULT),
+        "mesh.lower": vary(CONTACT, "mesh.lower", [0.0, 0.0], same=DEFAULT)
+        + vary(CONTACT, "mesh.lower", [-0.3, 0.1]),
+        "mesh.upper": vary(CONTACT, "mesh.upper", ABSENT, [1.3, 0.9])
+        + vary("contact left", "mesh.upper", [0.6, 1.1]),
+        "mesh.cells": vary(CONTACT, "mesh.cells", [1, 1], [6, 5], [3, 4]),
+        "mesh.diagonal": vary(CONTACT, "mesh.diagonal", "right", same=DEFAULT)
+        + vary(CONTACT, "mesh.diagonal", "left", "crossed")
+        + vary("contact right", "mesh.diagonal", "left", "crossed", beside={"space.degree": 2}),
+        "mesh.cell": vary(CONTACT, "mesh.cell", "simplex", same=DEFAULT),
+        "space.degree": vary(CONTACT, "space.degree", 1, same=DEFAULT)
+        + [Variation(base, {"space.degree": 2}) for base in (CONTACT, "contact left", "coupled", "heat")],
+        "time.end": vary(CONTACT, "time.end", 0.45),
+        "time.steps": vary(CONTACT, "time.steps", 1, 5),
+        "time.step": vary(CONTACT, "time.step", 0.06, beside={"time.steps": ABSENT}),
+        "time.scheme": vary(CONTACT, "time.scheme", "backward-euler", same=DEFAULT),
+    }
+
+
+def _material() -> dict[str, list[Variation]]:
+    young, poisson = ISOTROPIC
+    elasticity, viscosity = "material.elasticity", "material.viscosity"
+    quasi_static = {"initial.velocity": ABSENT}
+    elastic_tensor = {elasticity: ABSENT, f"{elasticity}.tensor": ELASTIC_TENSOR}
+    viscous_tensor = {viscosity: ABSENT, f"{viscosity}.tensor": VISCOUS_TENSOR}
+    return {
+        "material.density": vary(CONTACT, "material.density", 4.0)
+        + vary(CONTACT, "material.density", ABSENT, beside=quasi_static)
+        + vary("mechanics", "material.density", ABSENT, beside=quasi_static),
+        young: vary(CONTACT, young, 25.0) + vary("mechanics", young, 0.1),
+        poisson: vary(CONTACT, poisson, 0.0, 0.45, -0.3),
+        f"{elasticity}.plane": vary(CONTACT, f"{elasticity}.plane", "stress", same=DEFAULT)
+        + vary(CONTACT, f"{elasticity}.plane", "strain")
+        + vary("mechanics", f"{elasticity}.plane", "strain")
+        + vary(CONTACT, f"{elasticity}.plane", "strain", beside={"heat.thermal_stress": COUPLING}),
+        f"{elasticity}.tensor": [
+            Variation(CONTACT, elastic_tensor),
+            Variation("mechanics", elastic_tensor),
+            Variation(CONTACT, {**elastic_tensor, **viscous_tensor}),
+            Variation(CONTACT, {elasticity: ABSENT}),
+        ],
+        f"{viscosity}.trace": vary(CONTACT, f"{viscosity}.trace", 1.5, 0.0, -0.1),
+        f"{viscosity}.shear": vary(CONTACT, f"{viscosity}.shear", 2.0, 0.0),
+        f"{viscosity}.tensor": [
+            Variation(CONTACT, viscous_tensor),
+            Variation("mechanics", viscous_tensor),
+            Variation(CONTACT, {viscosity: ABSENT}),
+        ],
+    }
+
+
+def _heat_and_loads() -> dict[str, list[Variation]]:
+    expression = "1 + 2*x*y - 5*t"
+    vector = ["x - 0.4*y + t", "0.3 - x*y*t"]
+    jumping = ["0.01*x*y", "x > 0.4 ? -0.02 : 0.01*y"]
+    return {
+        "heat.capacity": [
+            *vary(CONTACT, "heat.capacity", 0.4, ABSENT),
+            *vary("heat", "heat.capacity", ABSENT),
+        ],
+        "heat.conductivity": [
+            *vary(CONTACT, "heat.conductivity", 2.5, CONDUCTOR, SINGULAR, ABSENT),
+            *vary("heat", "heat.conductivity", CONDUCTOR, ABSENT),
+            *vary(CONTACT, "heat.conductivity", CONDUCTOR, beside={"heat.capacity": ABSENT}),
+        ],
+        "heat.source": [
+            *vary(CONTACT, "heat.source", 3.0, expression, ABSENT),
+            *vary("heat", "heat.source", expression, ABSENT),
+        ],
+        "heat.thermal_stress": [
+            *vary(CONTACT, "heat.thermal_stress", -1.0, COUPLING, ABSENT),
+            *vary("coupled", "heat.thermal_stress", COUPLING, ABSENT),
+        ],
+        "heat.strain_heating": [
+            *vary(CONTACT, "heat.strain_heating", -1.0, COUPLING, ABSENT),
+            *vary("coupled", "heat.strain_heating", COUPLING, ABSENT),
+        ],
+        "load.body_force": [
+            *vary(CONTACT, "load.body_force", [1.0, 2.0], vector, ABSENT),
+            *vary("mechanics", "load.body_force", vector, ABSENT),
+        ],
+        "initial.displacement": vary(CONTACT, "initial.displacement", [0.01, -0.01], jumping, ABSENT),
+        "initial.velocity": vary(CONTACT, "initial.velocity", [0.1, -0.2], ["y", "0.1*sin(x)"], ABSENT),
+        "initial.temperature": vary(CONTACT, "initial.temperature", 2.0, "x*x - 3*y", ABSENT),
+    }
+
+
+def _conditions(side: str) -> dict[str, list[Variation]]:
+    """What is prescribed on a side: where it is the lid, and where it is neither lid nor contact."""
+    name, lid_of = f"boundary.{side}", f"contact {OPPOSITE[side]}"
+    plain = "contact bottom" if side in ("left", "right") else "contact left"
+    is_loaded = BESIDE[plain.split()[1]] == side  # has traction and flux already
+    no_traction, no_flux = {f"{name}.traction": ABSENT}, {f"{name}.heat_flux": ABSENT}
+    displacement, traction = f"{name}.displacement", f"{name}.traction"
+    temperature, heat_flux = f"{name}.temperature", f"{name}.heat_flux"
+    return {
+        "displacement": [
+            *vary(lid_of, displacement, [0.0, 0.0], ["0.01*x*y - 0.1*t", "0.02*x + 0.05*t"]),
+            *vary(plain, displacement, ["free", 0.01], ["0.1*t*y", "free"], beside=no_traction),
+            *vary(lid_of, displacement, ABSENT),
+            *vary(plain, displacement, ["free", "free"], same="no component is prescribed"),
+        ],
+        "traction": [
+            *vary(plain, traction, [1.0, -0.5], ["x + t", "1 - y*t"]),
+            *(vary(plain, traction, ABSENT) if is_loaded else []),
+        ],
+        "temperature": [
+            *vary(lid_of, temperature, 2.0, "x + 3*y*t", ABSENT),
+            *vary(plain, temperature, -1.0, beside=no_flux),
+        ],
+        "heat_flux": [
+            *vary(plain, heat_flux, -1.0, "x - y + 5*t"),
+            *(vary(plain, heat_flux, ABSENT) if is_loaded else []),
+        ],
+    }
+
+
+def _contact(side: str) -> dict[str, list[Variation]]:
+    base, contact = f"contact {side}", f"boundary.{side}.contact"
+    along = "y" if side in ("left", "right") else "x"
+    gap, quadrature = f"{contact}.gap", f"{contact}.quadrature"
+    compliance, friction, conductance = (
+        f"{contact}.{law}" for law in ("compliance", "friction", "conductance")
+    )
+    frictionless = {friction: ABSENT}
+    foundation = f"{conductance}.foundation_temperature"
+    return {
+        "contact.gap": [
+            *vary(base, gap, -0.01, "0.01*sin(9*x - 7*y - 8*t) - 0.005", ABSENT),
+            *vary(base, gap, 1.0),  # never closed
+        ],
+        "contact.quadrature": [
+            *vary(base, quadrature, 1, 7, "vertex"),
+            *vary(base, quadrature, "vertex", beside={"space.degree": 2}),
+        ],
+        "contact.compliance.stiffness": [
+            *vary(base, f"{compliance}.stiffness", 20.0, 1e4),
+            Variation(base, {compliance: ABSENT, **frictionless}),
+        ],
+        "contact.compliance.exponent": [
+            *vary(base, f"{compliance}.exponent", 1.0, same=DEFAULT),
+            *vary(base, f"{compliance}.exponent", 1.5, 2.0, 3),
+        ],
+        "contact.friction.coefficient": [
+            *vary(base, f"{friction}.coefficient", 0.0, 1.2),
+            Variation(base, frictionless),
+        ],
+        "contact.friction.regularisation": vary(base, f"{friction}.regularisation", 1e-5, 0.5),
+        "contact.conductance.coefficient": [
+            *vary(base, f"{conductance}.coefficient", 0.0, 9.0),
+            Variation(base, {conductance: ABSENT}),
+            Variation("contact without mechanics", {"boundary.bottom": ABSENT}),
+        ],
+        "contact.conductance.onset": vary(base, f"{conductance}.onset", 1e-5, 3.0),
+        "contact.conductance.foundation_temperature": [
+            *vary(base, foundation, -2.0, f"4*{along} - 2 + 3*t*x*y"),
+            *vary("contact without mechanics", foundation.replace(side, "bottom"), "2 + x*y - 5*t"),
+        ],
+        "contact.conductance.limit": vary(base, f"{conductance}.limit", 0.5, 1.0),
+    }
+
+
+def _every_rule() -> list[Variation]:
+    """Gauss rules of an odd degree have the points of the even degree below."""
+    quadrature = "boundary.bottom.contact.quadrature"
+    return [
+        *vary(CONTACT, quadrature, 4, same=DEFAULT),
+        *vary(CONTACT, quadrature, 5, same="degrees 4 and 5 both take three points"),
+        *vary(CONTACT, quadrature, 2, 3, 6, 8, 9),
+        *vary("contact without heat", quadrature, 1, 9, "vertex", beside={"space.degree": 2}),
+    ]
+
+
+def _solver_and_output() -> dict[str, list[Variation]]:
+    fields = ["displacement", "velocity", "temperature", "stress", "von_mises", "contact"]
+    chosen = [["temperature"], [], fields, ["contact", "von_mises"], ["displacement", "velocity", "stress"]]
+    return {
+        "solver.strategy": [
+            *vary(CONTACT, "solver.strategy", "auto", same=DEFAULT),
+            *vary(CONTACT, "solver.strategy", "condensed", same=SOLVER_ONLY),
+            *vary("mechanics", "solver.strategy", "condensed", same=SOLVER_ONLY),
+        ],
+        "solver.tolerance": vary(CONTACT, "solver.tolerance", 1e-13, 3e-12, same=SOLVER_ONLY),
+        "solver.max_iterations": [
+            *vary(CONTACT, "solver.max_iterations", 200, same=SOLVER_ONLY),
+            *vary("coupled", "solver.max_iterations", 1, same=SOLVER_ONLY),
+        ],
+        "output.every": vary(CONTACT, "output.every", 1, 2, 10, same=FILES_ONLY),
+        "output.fields": vary(CONTACT, "output.fields", *chosen, same=FILES_ONLY),
+    }
+
+
+def _variations() -> dict[str, list[Variation]]:
+    table = {**_mesh_and_time(), **_material(), **_heat_and_loads(), **_solver_and_output()}
+    for side in SIDES["rectangle"]:
+        for key, variations in {**_conditions(side), **_contact(side)}.items():
+            table.setdefault(f"boundary.NAME.{key}", []).extend(variations)
+    table["boundary.NAME.contact.quadrature"] += _every_rule()
+    return table
+
+
+VARIATIONS = _variations()

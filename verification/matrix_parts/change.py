@@ -13,6 +13,11 @@ import compare
 from oracle_parts import vtu
 
 
+NOTHING = (
+    1e-9  # in the scenes' own units, where everything there is exceeds 1e-5: a number below it is round-off
+)
+
+
 def change(a: Path, b: Path) -> tuple[float, str]:
     """The difference and where it was found."""
     found = [(0.0, "nothing")]
@@ -42,7 +47,7 @@ def _numbers(table: dict[str, Any], prefix: str = "") -> dict[str, float]:
 
 def _relative(a: float, b: float) -> float:
     scale = max(abs(a), abs(b))
-    return abs(a - b) / scale if scale > 0.0 else 0.0
+    return abs(a - b) / scale if scale > NOTHING else 0.0
 
 
 def _in_fields(a: Path, b: Path) -> list[tuple[float, str]]:
@@ -60,7 +65,7 @@ def _in_fields(a: Path, b: Path) -> list[tuple[float, str]]:
                 scale = float(max(np.abs(values).max(initial=0.0), np.abs(others).max(initial=0.0)))
                 differences[key] = max(differences.get(key, 0.0), difference)
                 scales[key] = max(scales.get(key, 0.0), scale)
-    return [(differences[key] / scales[key] if scales[key] > 0.0 else 0.0, key) for key in differences]
+    return [(differences[key] / scales[key] if scales[key] > NOTHING else 0.0, key) for key in differences]
 
 
 def _common(a: vtu.Grid, b: vtu.Grid) -> list[tuple[str, Any, Any]]:

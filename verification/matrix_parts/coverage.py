@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from matrix_parts.cases import Case, Variation, generic
-from matrix_parts.scenes import ABSENT, BASES, SIDES
+from matrix_parts.scenes import ABSENT, BASES, SIDES, is_below
 
 Entry = Mapping[str, Any]  # one key of the schema
 FEW = 20  # an integer key with no more values than this has every one of them tried
@@ -90,7 +90,7 @@ def _gaps_of(entry: Entry, variations: Sequence[Variation]) -> list[str]:
 def _touches(variation: Variation, key: str) -> bool:
     """Sets the key, or leaves out it or a table around it."""
     names = [generic(name) for name in variation.changes]
-    return any(key == name or key.startswith(name + ".") for name in names)
+    return any(is_below(key, name) for name in names)
 
 
 def _values(variation: Variation, key: str) -> list[Any]:
@@ -130,7 +130,7 @@ def _flat(values: Iterable[Any]) -> list[Any]:
 
 
 def _among(value: Any, values: Iterable[Any]) -> bool:
-    return any(value == other for other in _flat(values))
+    return value in _flat(values)
 
 
 def _variables_missing(entry: Entry, values: Iterable[Any]) -> list[str]:
@@ -141,7 +141,7 @@ def _variables_missing(entry: Entry, values: Iterable[Any]) -> list[str]:
 
 def _sides_without(schema: Sequence[Entry], cases: Sequence[Case]) -> list[str]:
     """A boundary's key has to be tried on each side of each shape."""
-    shapes = next((entry["choices"] for entry in schema if entry["key"] == "mesh.shape"), [])
+    shapes = [str(shape) for entry in schema if entry["key"] == "mesh.shape" for shape in entry["choices"]]
     found = [
         f"mesh.shape: the sides of a {shape} are not in scenes.py" for shape in shapes if shape not in SIDES
     ]

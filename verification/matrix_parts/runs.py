@@ -18,19 +18,20 @@ class Driver:
         self.program = program
 
     def schema(self) -> str:
-        command = [self.program, "schema", "--format", "json"]
-        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        return self._call("schema", "--format", "json").stdout
 
     def run(self, scene: Path, directory: Path) -> str:
         """Empty, or what went wrong."""
-        command = [self.program, "run", scene, "--quiet", "--output", directory]
-        result = subprocess.run(command, capture_output=True, text=True)
+        result = self._call("run", str(scene), "--quiet", "--output", str(directory))
         return "" if result.returncode == 0 else f"driver: exit {result.returncode}: {result.stderr.strip()}"
 
     def check(self, scene: Path) -> tuple[int, str]:
         """The exit code and the message."""
-        result = subprocess.run([self.program, "check", scene], capture_output=True, text=True)
+        result = self._call("check", str(scene))
         return result.returncode, result.stderr.strip()
+
+    def _call(self, *words: str) -> "subprocess.CompletedProcess[str]":
+        return subprocess.run([str(self.program), *words], capture_output=True, text=True)
 
 
 def oracle(jobs: Sequence[Job], folder: Path, workers: int) -> None:

@@ -18,11 +18,11 @@ def is_number(value: Any) -> bool:
 
 
 def is_expression(value: Any) -> bool:
-    return isinstance(value, str) and value != FREE
+    return isinstance(value, str) and str(value) != FREE
 
 
 def is_matrix(value: Any) -> bool:
-    return isinstance(value, list) and bool(value) and all(isinstance(row, list) for row in value)
+    return isinstance(value, list) and any(isinstance(row, list) for row in value)
 
 
 def has(what: Callable[[Any], bool]) -> Callable[[Any], bool]:

@@ -18,7 +18,15 @@ def is_number(value: Any) -> bool:
 
 
 def is_expression(value: Any) -> bool:
-    return isinstance(value, str) and str(value) != FREE
+    return isinstance(value, str) and not is_free(value)
+
+
+def is_free(value: Any) -> bool:
+    return isinstance(value, str) and str(value) == FREE
+
+
+def is_empty(value: Any) -> bool:
+    return isinstance(value, list) and not value
 
 
 def is_matrix(value: Any) -> bool:
@@ -39,7 +47,7 @@ FORMS: Mapping[str, Mapping[str, Callable[[Any], bool]]] = {
     "integer": {"an integer": is_number},
     "choice": {},
     "integer or choice": {"an integer": is_number},
-    "list of choices": {"an empty list": lambda value: value == []},
+    "list of choices": {"an empty list": is_empty},
     "expression": EXPRESSION,
     "positive semidefinite tensor": TENSOR,
     "symmetric tensor": TENSOR,
@@ -50,7 +58,7 @@ LIST_FORMS: Mapping[str, Mapping[str, Callable[[Any], bool]]] = {
     "numbers": {"numbers": has(is_number)},
     "integers": {"integers": has(is_number)},
     "expressions": EXPRESSIONS,
-    "expressions or free": {**EXPRESSIONS, "a free component": has(lambda value: value == FREE)},
+    "expressions or free": {**EXPRESSIONS, "a free component": has(is_free)},
 }
 
 

@@ -111,20 +111,17 @@ void Heat::audit(const std::vector<double>& load) {
         sum += (i < 2 ? 1.0 : -1.0) * terms[i].second;
     }
     heat_residual_ = scale > 0 ? std::abs(sum) / scale : 0.0;
-    // |theta|^2 = (theta, C theta) / c spares a product
-    const double square =
-        capacity_density_ ? as_eigen(trial_).dot(as_eigen(new_stored_)) / *capacity_density_ : 0.0;
-    record_ = {
-        {"temperature_l2", capacity_density_ ? std::sqrt(std::max(0.0, square)) : temperature_norm(trial_)}};
+    record_ = {{"temperature_l2", capacity_ ? norm(trial_, new_stored_) : temperature_norm(trial_)}};
     record_.insert(record_.end(), terms.begin(), terms.end());
     record_.emplace_back("heat_residual", heat_residual_);
 }
 
 double Heat::temperature_norm(const std::vector<double>& theta) const {
-    // the capacity matrix is c times the Gram matrix
-    const fem::BlockMatrix& gram = capacity_ ? *capacity_ : *gram_;
-    const double square =
-        as_eigen(theta).dot(as_eigen(gram.multiply(theta))) / capacity_density_.value_or(1.0);
+    return norm(theta, (capacity_ ? *capacity_ : *gram_).multiply(theta));
+}
+
+double Heat::norm(const std::vector<double>& theta, const std::vector<double>& product) const {
+    const double square = as_eigen(theta).dot(as_eigen(product)) / capacity_density_.value_or(1.0);
     return std::sqrt(std::max(0.0, square));
 }
 

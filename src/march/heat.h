@@ -40,6 +40,10 @@ class Heat {
   private:
     void audit(const std::vector<double>& load);
 
+    /// ||theta||_L2 from the product with the capacity matrix, which is c times the Gram matrix, or, without
+    /// capacity, with the Gram matrix itself.
+    double norm(const std::vector<double>& theta, const std::vector<double>& product) const;
+
     double step_;
     std::optional<double> capacity_density_;  ///< c
     std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_;

@@ -121,10 +121,6 @@ const std::vector<std::int32_t>& InteriorOrders::without(const std::vector<char>
 }
 
 CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
-                                 const std::vector<char>& contact)
-    : CondensedSystem(matrix, fixed, contact, InteriorOrders(*matrix.graph).without(contact)) {}
-
-CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
                                  const std::vector<char>& contact, std::span<const std::int32_t> interior) {
     const FreeDofs free = number_free(fixed);
     if (free.dofs.empty()) {

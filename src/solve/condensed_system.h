@@ -33,11 +33,8 @@ class InteriorOrders {
 class CondensedSystem {
   public:
     /// `fixed` [dofs] marks prescribed unknowns, which drop out; `contact` [nodes] marks the nodes whose
-    /// other unknowns are kept. Throws NotPositiveDefinite with the dof at fault.
-    CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
-                    const std::vector<char>& contact);
-
-    /// The same with an order of the nodes outside contact that is known already.
+    /// other unknowns are kept, `interior` orders the nodes outside contact. Throws NotPositiveDefinite with
+    /// the dof at fault.
     CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
                     const std::vector<char>& contact, std::span<const std::int32_t> interior);
 

@@ -131,6 +131,14 @@ inline std::vector<Polynomial> strain_product(const Situation& at, const std::ve
                  [&](const auto& v, const auto& u) { return contract(v.strain(), tensor, u.strain()); });
 }
 
+/// grad(eta) . K grad(theta) with K [2][2].
+inline std::vector<Polynomial> gradient_product(const Situation& at, const std::vector<double>& K) {
+    return outer(at.shapes(), at.shapes(), [&](const auto& eta, const auto& theta) {
+        const VectorPolynomial a = at.triangle.gradient(eta), b = at.triangle.gradient(theta);
+        return a[0] * (b[0] * K[0] + b[1] * K[1]) + a[1] * (b[0] * K[2] + b[1] * K[3]);
+    });
+}
+
 inline std::vector<Polynomial> vector_mass(const Situation& at, double factor) {
     const auto shapes = vector_shapes(at);
     return outer(shapes, shapes, [&](const auto& v, const auto& w) {
@@ -253,13 +261,8 @@ inline std::map<std::string, ClosedForm> closed_forms() {
     cell("viscosity.damping", [](At at) { return strain_product(at, at.constants.at("Visc")); });
     // eps : eps = e_xx^2 + e_yy^2 + (2 e_xy)^2 / 2
     cell("norms.strains", [](At at) { return strain_product(at, {1, 0, 0, 0, 1, 0, 0, 0, 0.5}); });
-    cell("conduction.conduction", [](At at) {
-        const std::vector<double>& K = at.constants.at("K");
-        return outer(at.shapes(), at.shapes(), [&](const auto& eta, const auto& theta) {
-            const VectorPolynomial a = at.triangle.gradient(eta), b = at.triangle.gradient(theta);
-            return a[0] * (b[0] * K[0] + b[1] * K[1]) + a[1] * (b[0] * K[2] + b[1] * K[3]);
-        });
-    });
+    cell("conduction.conduction", [](At at) { return gradient_product(at, at.constants.at("K")); });
+    cell("norms.gradients", [](At at) { return gradient_product(at, {1, 0, 0, 1}); });
     cell("thermal_stress.coupling", [](At at) {
         return outer(vector_shapes(at), at.shapes(), [&](const auto& v, const auto& theta) {
             return theta * contract(at.constants.at("M"), v.strain());
@@ -276,6 +279,8 @@ inline std::map<std::string, ClosedForm> closed_forms() {
     cell("stress.volume", [](At) { return std::vector<Polynomial>{1.0}; });
     cell("stress.von_mises", [](At at) { return std::vector<Polynomial>{von_mises(at.stress)}; });
     forms["traction.load"] = {Domain::facet, on_cell(vector_load)};
+    forms["norms.velocity_trace"] = {Domain::facet, on_cell([](At at) { return vector_mass(at, 1.0); })};
+    forms["norms.temperature_trace"] = {Domain::facet, on_cell([](At at) { return scalar_mass(at, 1.0); })};
     forms["heat_flux.load"] = {Domain::facet, on_cell([](At at) { return scalar_load(at, at.theta); })};
 
     contact("compliance.residual", Domain::contact, [](At at, On on) {

@@ -1,0 +1,276 @@
+#include "theory/hypotheses.h"
+
+#include <cmath>
+#include <limits>
+
+#include "model/physics.h"
+#include "theory/tensor_bounds.h"
+
+namespace thermocontact::theory {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The numbers of the laws that (H7), (H8) and (2.23) speak of, the largest over all contact boundaries.
+struct LawBounds {
+    double L_nu = 0;            ///< Lipschitz constant of p_nu, Pa/m
+    double L_tau = 0;           ///< of p_tau
+    double M_kc = 0;            ///< least upper bound of k_c, W/(m^2 K)
+    double L_kc = 0;            ///< Lipschitz constant of k_c, W/(m^3 K)
+    std::string not_lipschitz;  ///< boundaries whose p_nu is not
+};
+
+LawBounds bounds_of_laws(const scene::Scene& scene) {
+    LawBounds bounds;
+    for (const auto& [name, boundary] : scene.boundaries) {
+        if (boundary.contact && boundary.contact->compliance) {
+            const auto& [stiffness, exponent] = *boundary.contact->compliance;
+            const double slope = exponent == 1 ? stiffness : infinity;
+            bounds.L_nu = std::max(bounds.L_nu, slope);
+            if (boundary.contact->friction && boundary.contact->friction->coefficient > 0) {
+                bounds.L_tau = std::max(bounds.L_tau, boundary.contact->friction->coefficient * slope);
+            }
+            if (exponent != 1) {
+                bounds.not_lipschitz += (bounds.not_lipschitz.empty() ? "" : ", ") + name;
+            }
+        }
+        if (boundary.contact && boundary.contact->conductance) {
+            const scene::Conductance& law = *boundary.contact->conductance;
+            bounds.M_kc = std::max(bounds.M_kc, law.coefficient);
+            bounds.L_kc = std::max(bounds.L_kc, law.coefficient / law.onset);
+        }
+    }
+    return bounds;
+}
+
+Verdict verdict(bool holds) {
+    return holds ? Verdict::holds : Verdict::fails;
+}
+
+class Judge {
+  public:
+    Judge(const scene::Scene& scene, const Constants& constants, const Samples& samples)
+        : scene_(scene), constants_(constants), samples_(samples), laws_(bounds_of_laws(scene)) {
+        if (scene.material && scene.material->elasticity) {
+            m_a_ = bounds_of(*scene.material->elasticity, scene.dimension).smallest;
+        }
+        if (scene.heat && scene.heat->conductivity) {
+            m_d_ = bounds_of(*scene.heat->conductivity).smallest;
+        }
+    }
+
+    std::vector<Condition> conditions() {
+        problem();
+        inequalities();
+        mechanical_tensors();
+        conductivity();
+        coupling("(H4", "M", "thermal stress", &scene::Heat::thermal_stress);
+        coupling("(H5", "R", "strain heating", &scene::Heat::strain_heating);
+        loads();
+        gap_and_initial_data();
+        heat_exchange();
+        contact_laws();
+        coercivity();
+        return std::move(conditions_);
+    }
+
+  private:
+    void add(const std::string& label, bool holds, const std::string& statement,
+             std::vector<Number> numbers = {}) {
+        conditions_.push_back({label, verdict(holds), statement, std::move(numbers)});
+    }
+    void skip(const std::string& label, const std::string& reason) {
+        conditions_.push_back({label, Verdict::not_applicable, reason, {}});
+    }
+
+    /// Problem 2.1 has both balances with their rates, and vanishing prescribed values.
+    void problem() {
+        rate("(2.3)", "inertia", "rho", scene_.material, &scene::Material::density);
+        rate("(2.4)", "heat capacity", "c", scene_.heat, &scene::Heat::capacity);
+        if (scene_.material) {
+            values_vanish("(2.5)", "displacement prescribed as 0", "max |u_D|", samples_.clamp);
+        }
+        if (scene_.heat) {
+            values_vanish("(2.7)", "temperature prescribed as 0", "max |theta_D|",
+                          samples_.prescribed_temperature);
+        }
+    }
+
+    template <typename Body>
+    void rate(const std::string& label, const std::string& statement, const std::string& name,
+              const std::optional<Body>& body, std::optional<double> Body::*density) {
+        const double value = body ? ((*body).*density).value_or(0) : 0.0;
+        add(label, value > 0, statement + (value > 0 ? "" : " (not modelled)"), {{name, value}});
+    }
+
+    void values_vanish(const std::string& label, const std::string& statement, const std::string& name,
+                       const Range& range) {
+        add(label, range.finite() && range.magnitude() == 0, statement + explain(range),
+            {{name, range.magnitude()}});
+    }
+
+    static std::string explain(const Range& range) {
+        return range.finite() ? "" : " (" + range.failure + ")";
+    }
+
+    void inequalities() {
+        if (constants_.c_k) {
+            add("(2.12)", *constants_.c_k > 0, "Korn: the clamped sides hold the body",
+                {{"c_k", *constants_.c_k}});
+        }
+        if (constants_.c_f) {
+            add("(2.13)", *constants_.c_f > 0, "Friedrichs-Poincare: the temperature is prescribed somewhere",
+                {{"c_f", *constants_.c_f}});
+        }
+    }
+
+    void mechanical_tensors() {
+        if (!scene_.material) {
+            skip("(H1), (H2)", "no [material]");
+            return;
+        }
+        tensor4("(H1", "viscosity", "b", scene_.material->viscosity);
+        tensor4("(H2", "elasticity", "a", scene_.material->elasticity);
+    }
+
+    void tensor4(const std::string& label, const std::string& name, const std::string& index,
+                 const std::optional<scene::VoigtTensor>& tensor) {
+        if (!tensor) {
+            add(label + " i)", false, name + " elliptic (none is modelled)", {{"m_" + index, 0}});
+            return;
+        }
+        const Bounds bounds = bounds_of(*tensor, scene_.dimension);
+        add(label + " i)", bounds.smallest > 0, name + " elliptic", {{"m_" + index, bounds.smallest}});
+        add(label + " ii)", true, name + " bounded", {{"M_" + index, bounds.largest}});
+        add(label + " iii, iv)", true, name + " constant in space and linear");
+    }
+
+    void conductivity() {
+        if (!scene_.heat) {
+            skip("(H3)", "no [heat]");
+            return;
+        }
+        const auto& tensor = scene_.heat->conductivity;
+        const Bounds bounds = tensor ? bounds_of(*tensor) : Bounds{};
+        const char* why = !tensor               ? " (none is modelled)"
+                          : bounds.smallest > 0 ? ""
+                                                : " (heat does not diffuse in every direction)";
+        add("(H3 i)", true, "conductivity symmetric and bounded");
+        add("(H3 ii)", bounds.smallest > 0, std::string("conductivity elliptic") + why,
+            {{"m_d", bounds.smallest}});
+        add("(H3 iii)", true, "conductivity bounded", {{"M_d", bounds.largest}});
+    }
+
+    /// |(T theta, eps(v))| <= |T| ||theta|| ||eps(v)|| <= |T| / c_f ||theta||_Q ||v||_V.
+    void coupling(const std::string& label, const std::string& letter, const std::string& name,
+                  std::optional<scene::SymmetricTensor> scene::Heat::*member) {
+        if (!scene_.heat || !((*scene_.heat).*member)) {
+            skip(label + ")", "no " + name);
+            return;
+        }
+        const double norm = norm_of(*((*scene_.heat).*member)), c_f = constants_.c_f.value_or(0);
+        const double bound = norm == 0 ? 0.0 : norm / c_f;
+        add(label + " i)", true, name + " symmetric and bounded", {{"|" + letter + "|", norm}});
+        add(label + " ii)", std::isfinite(bound), name + " bounded from Q and V",
+            {{"|" + letter + "| / c_f", bound}});
+    }
+
+    void loads() {
+        const std::vector<std::pair<const char*, const Range*>> kinds{
+            {"max |f0|", &samples_.body_force},
+            {"max |f1|", &samples_.traction},
+            {"max |q0|", &samples_.heat_source},
+            {"max |heat flux|", &samples_.heat_flux}};
+        bool finite = true;
+        std::string why;
+        std::vector<Number> numbers;
+        for (const auto& [name, range] : kinds) {
+            finite = finite && range->finite();
+            why += explain(*range);
+            if (range->present()) {
+                numbers.push_back({name, range->magnitude()});
+            }
+        }
+        add("(H6 i)", finite, (numbers.empty() ? "no loads" : "loads finite where sampled") + why, numbers);
+    }
+
+    void gap_and_initial_data() {
+        if (samples_.gap.present()) {
+            add("(H6 ii)", samples_.gap.finite() && samples_.gap.smallest >= 0,
+                "gap not negative" + explain(samples_.gap), {{"min g", samples_.gap.smallest}});
+        } else {
+            skip("(H6 ii)", "no contact: no gap");
+        }
+        if (const Range& theta_F = samples_.foundation_temperature; theta_F.present()) {
+            add("(H6 ii)", theta_F.finite(), "foundation temperature finite" + explain(theta_F),
+                {{"max |theta_F|", theta_F.magnitude()}});
+        }
+        if (scene_.material) {
+            values_vanish("(H6 ii)", "initial displacement and velocity in V", "max |u0|, |u0'| on Gamma_D",
+                          samples_.initial_on_clamp);
+        }
+        if (model::has_compliance(scene_)) {
+            add("(H6 iii)", true, "j convex and lower semi-continuous: p_tau not negative");
+        } else {
+            skip("(H6 iii)", "no compliance: no functional j");
+        }
+    }
+
+    void heat_exchange() {
+        if (!model::has_conductance(scene_)) {
+            skip("(H7)", "no conductance");
+            return;
+        }
+        add("(H7 i)", true, "k_c bounded, zero without contact; any M_kc above", {{"sup k_c", laws_.M_kc}});
+        add("(H7 ii)", true, "k_c Lipschitz", {{"L_kc", laws_.L_kc}});
+    }
+
+    void contact_laws() {
+        if (!model::has_compliance(scene_)) {
+            skip("(H8)", "no compliance");
+            return;
+        }
+        add("(H8 i-iii)", true, "p_nu and p_tau not negative, zero without contact");
+        const std::string why =
+            laws_.not_lipschitz.empty() ? "" : " (not with the exponent on " + laws_.not_lipschitz + ")";
+        add("(H8 iv)", laws_.not_lipschitz.empty(), "p_nu and p_tau Lipschitz" + why,
+            {{"L_nu", laws_.L_nu}, {"L_tau", laws_.L_tau}});
+    }
+
+    /// (2.23) as README's errata read it.
+    void coercivity() {
+        if (constants_.s1) {
+            exceeds("m_a > (L_nu + L_tau) s1^2", {"m_a", m_a_},
+                    {"(L_nu + L_tau) s1^2", product(laws_.L_nu + laws_.L_tau, *constants_.s1)});
+        } else {
+            skip("(2.23)", "m_a > (L_nu + L_tau) s1^2: no compliance");
+        }
+        if (constants_.s2) {
+            exceeds("m_d > M_kc s2^2", {"m_d", m_d_}, {"M_kc s2^2", product(laws_.M_kc, *constants_.s2)});
+        } else {
+            skip("(2.23)", "m_d > M_kc s2^2: no conductance");
+        }
+    }
+
+    void exceeds(const std::string& statement, const Number& left, const Number& right) {
+        add("(2.23)", left.value > right.value, statement, {left, right});
+    }
+
+    /// factor * s^2, where a law that is zero needs no trace inequality.
+    static double product(double factor, double s) { return factor == 0 ? 0.0 : factor * s * s; }
+
+    const scene::Scene& scene_;
+    const Constants& constants_;
+    const Samples& samples_;
+    LawBounds laws_;
+    double m_a_ = 0, m_d_ = 0;
+    std::vector<Condition> conditions_;
+};
+
+}  // namespace
+
+std::vector<Condition> judge(const scene::Scene& scene, const Constants& constants, const Samples& samples) {
+    return Judge(scene, constants, samples).conditions();
+}
+
+}  // namespace thermocontact::theory

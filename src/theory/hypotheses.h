@@ -1,0 +1,31 @@
+/// What the paper's theorem of existence and uniqueness asks of the data, judged on a scene: (H1)-(H8),
+/// (2.23), and the parts of Problem 2.1 that a scene may leave out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "theory/constants.h"
+#include "theory/samples.h"
+
+namespace thermocontact::theory {
+
+enum class Verdict { holds, fails, not_applicable };
+
+struct Number {
+    std::string name;
+    double value;
+};
+
+struct Condition {
+    std::string label;  ///< the paper's: "(H3 ii)"
+    Verdict verdict;
+    std::string statement;        ///< what it asks for, or why it does not apply
+    std::vector<Number> numbers;  ///< that decide; of an inequality its left side, then its right side
+};
+
+/// In the order of the paper.
+std::vector<Condition> judge(const scene::Scene& scene, const Constants& constants, const Samples& samples);
+
+}  // namespace thermocontact::theory

@@ -1,8 +1,8 @@
-"""Generate C kernels from the form files of this folder with FFCx.
+"""Generate C kernels from form files, those of this folder or of another one, with FFCx.
 
-    generate.py form FILE CELL DEGREE OUTPUT_DIR     one form file -> FILE_CELL_DEGREE.c and .h
-    generate.py table OUTPUT_DIR STEM...             all generated headers -> kernel_table.c
-    generate.py flags                                the include folder of ufcx.h
+    generate.py form FILE CELL DEGREE OUTPUT_DIR [FOLDER]    FOLDER/FILE.py -> FILE_CELL_DEGREE.c and .h
+    generate.py table NAME OUTPUT_DIR STEM...                all generated headers -> kernel_table.c, symbols NAME_...
+    generate.py flags                                        the include folder of ufcx.h
 """
 
 import hashlib
@@ -26,24 +26,24 @@ TABLE = """/* Generated: every compiled form by name, and what the forms were co
 #include "fem/kernel_table.h"
 
 {includes}
-const struct thermocontact_kernel thermocontact_kernels[] = {{
+const struct thermocontact_kernel {name}_kernels[] = {{
 {rows}
 }};
-const int thermocontact_kernel_count = {count};
-const char* const thermocontact_kernel_versions = "{versions}";
-const char* const thermocontact_forms_digest = "{digest}";
+const int {name}_kernel_count = {count};
+const char* const {name}_kernel_versions = "{versions}";
+const char* const {name}_forms_digest = "{digest}";
 """
 
 
-def generate_form(file: str, cell: str, degree: str, output: str) -> None:
+def generate_form(file: str, cell: str, degree: str, output: str, folder: str = str(FORMS)) -> None:
     """Write the stub that selects cell and degree, and run FFCx on it in the output folder."""
     stub = pathlib.Path(output) / f"{file}_{cell}_{degree}.py"
     stub.write_text(STUB.format(file=file, cell=cell, degree=degree))
-    command = f"import sys; sys.path.insert(0, {str(FORMS)!r}); from ffcx.main import main; main()"
+    command = f"import sys; sys.path[:0] = {[folder, str(FORMS)]!r}; from ffcx.main import main; main()"
     subprocess.run([sys.executable, "-c", command, stub.name], cwd=output, check=True)
 
 
-def generate_table(output: str, stems: list[str]) -> None:
+def generate_table(name: str, output: str, stems: list[str]) -> None:
     """List the forms that the headers declare; left alone when nothing changed, so that nothing is rebuilt."""
     import ffcx
     import ufl
@@ -52,10 +52,11 @@ def generate_table(output: str, stems: list[str]) -> None:
     for stem in stems:
         file, cell, degree = stem.rsplit("_", 2)
         header = (pathlib.Path(output) / f"{stem}.h").read_text()
-        for name in re.findall(rf"extern ufcx_form\* form_{stem}_(\w+);", header):
-            rows.append(f'    {{"{file}.{name}", "{cell}", {degree}, &form_{stem}_{name}}},')
+        for form in re.findall(rf"extern ufcx_form\* form_{stem}_(\w+);", header):
+            rows.append(f'    {{"{file}.{form}", "{cell}", {degree}, &form_{stem}_{form}}},')
     digest = hashlib.sha256(b"".join(path.read_bytes() for path in sorted(FORMS.glob("*.py"))))
     text = TABLE.format(
+        name=name,
         includes="".join(f'#include "{stem}.h"\n' for stem in stems),
         rows="\n".join(rows),
         count=len(rows),
@@ -73,7 +74,7 @@ def main() -> None:
     if command == "form":
         generate_form(*arguments)
     elif command == "table":
-        generate_table(arguments[0], arguments[1:])
+        generate_table(arguments[0], arguments[1], arguments[2:])
     elif command == "flags":
         import ffcx.codegeneration
 

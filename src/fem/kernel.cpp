@@ -4,8 +4,6 @@
 
 #include <stdexcept>
 
-#include "fem/kernel_table.h"
-
 namespace thermocontact::fem {
 namespace {
 
@@ -50,9 +48,12 @@ Kernel describe(const std::string& name, const ufcx_form& form) {
 
 }  // namespace
 
-Kernel find_kernel(const std::string& name, const std::string& cell, int degree) {
-    for (int i = 0; i < thermocontact_kernel_count; ++i) {
-        const thermocontact_kernel& entry = thermocontact_kernels[i];
+KernelTable linked_kernels() {
+    return {thermocontact_kernels, static_cast<std::size_t>(thermocontact_kernel_count)};
+}
+
+Kernel find_kernel(const std::string& name, const std::string& cell, int degree, KernelTable table) {
+    for (const thermocontact_kernel& entry : table) {
         if (name == entry.name && cell == entry.cell && degree == entry.degree) {
             return describe(name, **entry.form);
         }

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "fem/kernel_table.h"
 
 namespace thermocontact::fem {
 
@@ -26,9 +29,15 @@ struct Kernel {
     std::vector<Integral> facets;
 };
 
-/// Looks `name` up among the linked kernels. Throws std::logic_error if it was not compiled for the cell and
-/// degree.
-Kernel find_kernel(const std::string& name, const std::string& cell, int degree);
+/// A table of kernels: the linked one, or another that stands beside it.
+using KernelTable = std::span<const thermocontact_kernel>;
+
+/// The kernels of forms/, which every program has.
+KernelTable linked_kernels();
+
+/// Looks `name` up in the table. Throws std::logic_error if it was not compiled for the cell and degree.
+Kernel find_kernel(const std::string& name, const std::string& cell, int degree,
+                   KernelTable table = linked_kernels());
 
 /// "FFCx 0.5.0, UFL 2022.2.0; forms 0123456789abcdef": what the linked kernels came from.
 std::string kernel_provenance();

@@ -42,10 +42,10 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double k,
 
 Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
            const fem::NodeGraph& graph, solve::InteriorOrders& orders, const model::ContactSurfaces& surfaces,
-           const State& state, double k)
+           const State& state, double k, const std::vector<model::Source>& sources)
     : step_(k),
       capacity_density_(scene.heat->capacity),
-      loads_(model::Loads::thermal(scene, mesh, space)),
+      loads_(model::Loads::thermal(scene, mesh, space, sources)),
       trial_(state.temperature) {
     const Assembler assemble{scene, mesh, space, graph};
     capacity_ = assemble.when(scene.heat->capacity.has_value(), "heat_capacity.capacity", 1, 1);

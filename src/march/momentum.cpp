@@ -50,11 +50,12 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, doubl
 
 Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
                    const fem::NodeGraph& graph, solve::InteriorOrders& orders,
-                   const model::ContactSurfaces& surfaces, const State& initial, double k)
+                   const model::ContactSurfaces& surfaces, const State& initial, double k,
+                   const std::vector<model::Source>& sources)
     : dimension_(scene.dimension),
       step_(k),
       density_(scene.material->density),
-      loads_(model::Loads::mechanical(scene, mesh, space)),
+      loads_(model::Loads::mechanical(scene, mesh, space, sources)),
       trial_(initial.velocity),
       old_displacement_(initial.displacement) {
     const Assembler assemble{scene, mesh, space, graph};

@@ -9,7 +9,7 @@
 
 namespace thermocontact::march {
 
-Simulation::Simulation(const scene::Scene& scene)
+Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources)
     : scene_(&scene),
       mesh_(mesh::make_rectangle(scene.mesh)),
       space_(fem::make_space(mesh_, scene.degree)),
@@ -19,11 +19,11 @@ Simulation::Simulation(const scene::Scene& scene)
     const double k = scene.time.end / scene.time.steps;
     solve::InteriorOrders orders(graph_);
     if (scene.material) {
-        momentum_.emplace(scene, mesh_, space_, graph_, orders, surfaces_, state_, k);
+        momentum_.emplace(scene, mesh_, space_, graph_, orders, surfaces_, state_, k, sources.mechanical);
         factor_seconds_ += momentum_->balance().factor_seconds();
     }
     if (scene.heat) {
-        heat_.emplace(scene, mesh_, space_, graph_, orders, surfaces_, state_, k);
+        heat_.emplace(scene, mesh_, space_, graph_, orders, surfaces_, state_, k, sources.thermal);
         factor_seconds_ += heat_->balance().factor_seconds();
     }
     const model::ContactState contact{scene.material ? &state_.displacement : &no_motion_,

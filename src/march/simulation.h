@@ -22,9 +22,9 @@ struct Totals {
 
 class Simulation {
   public:
-    /// Mesh, space, operators, factors, initial state. Keeps a reference to the scene.
-    /// Throws NumericsError where a system is singular, std::bad_alloc.
-    explicit Simulation(const scene::Scene& scene);
+    /// Mesh, space, operators, factors, initial state; `sources` are loads beside those of the scene. Keeps a
+    /// reference to the scene. Throws NumericsError where a system is singular, std::bad_alloc.
+    explicit Simulation(const scene::Scene& scene, const model::Sources& sources = {});
 
     /// One step of the scheme. The state changes only if the step succeeds; throws NumericsError otherwise.
     void advance();

@@ -21,7 +21,8 @@ Loads::Loads(const mesh::Mesh& mesh, const fem::Space& space, int components)
       components_(components),
       constant_(space.nodes.size() * static_cast<std::size_t>(components), 0.0) {}
 
-Loads Loads::mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+Loads Loads::mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
+                        const std::vector<Source>& sources) {
     Loads loads(mesh, space, scene.dimension);
     if (!scene.body_force.empty()) {
         loads.add("body_force.load", "f", scene.body_force, {});
@@ -31,10 +32,12 @@ Loads Loads::mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const
             loads.add("traction.load", "f", boundary.traction, facets_of(mesh, name));
         }
     }
+    std::ranges::for_each(sources, [&](const Source& source) { loads.add(source); });
     return loads;
 }
 
-Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
+                     const std::vector<Source>& sources) {
     Loads loads(mesh, space, 1);
     if (scene.heat->source) {
         loads.add("heat_source.load", "q0", {*scene.heat->source}, {});
@@ -44,6 +47,7 @@ Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fe
             loads.add("heat_flux.load", "flux", {*boundary.heat_flux}, facets_of(mesh, name));
         }
     }
+    std::ranges::for_each(sources, [&](const Source& source) { loads.add(source); });
     return loads;
 }
 
@@ -76,7 +80,22 @@ void Loads::add(const std::string& kernel, const std::string& coefficient,
     }
 }
 
+void Loads::add(const Source& source) {
+    auto term = std::make_unique<Term>();
+    if (!source.boundary.empty()) {
+        term->facets = facets_of(*mesh_, source.boundary);
+    }
+    const bool varies = std::ranges::count(source.kernel.constants, "t") > 0;
+    term->form = std::make_unique<fem::Form>(source.kernel, *mesh_, fem::Constants{{"t", {0.0}}});
+    if (varies) {
+        varying_.push_back(std::move(term));
+    } else {
+        assemble(*term, 0.0, constant_);
+    }
+}
+
 void Loads::assemble(Term& term, double t, std::vector<double>& vector) {
+    term.form->set_constant("t", t);
     interpolate_at(*space_, term.expressions, term.nodes, t, term.nodal);
     if (term.facets.empty()) {
         fem::assemble_cells(*term.form, space_->dofmap, components_, vector);

@@ -1,4 +1,5 @@
-/// Right-hand sides that a scene prescribes: body force and traction, heat source and flux.
+/// Right-hand sides: body force and traction, heat source and flux that a scene prescribes, and compiled
+/// sources.
 #pragma once
 
 #include <functional>
@@ -11,19 +12,33 @@
 
 namespace thermocontact::model {
 
+/// A linear form beside those of a scene, with the time as its only constant ("t") or none, and no
+/// coefficients.
+struct Source {
+    fem::Kernel kernel;
+    std::string boundary;  ///< name of the side it acts on; empty: over the cells
+};
+
+/// Sources of the two balances, for programs that add loads which no scene can state.
+struct Sources {
+    std::vector<Source> mechanical, thermal;
+};
+
 /// A sum of assembled linear forms, each with its expressions; those without t are assembled once.
 class Loads {
   public:
-    static Loads mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space);
-    static Loads thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space);
+    static Loads mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
+                            const std::vector<Source>& sources = {});
+    static Loads thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
+                         const std::vector<Source>& sources = {});
 
     /// The load vector [nodes][components] at time t (s).
     const std::vector<double>& at(double t);
 
   private:
     struct Term {
-        std::vector<scene::Expression> expressions;
-        std::vector<double> nodal;  ///< interpolated expressions
+        std::vector<scene::Expression> expressions;  ///< none for compiled sources
+        std::vector<double> nodal;                   ///< interpolated expressions
         std::vector<std::int32_t> nodes;
         std::vector<mesh::Facet> facets;  ///< empty: over the cells
         std::unique_ptr<fem::Form> form;
@@ -32,6 +47,7 @@ class Loads {
     Loads(const mesh::Mesh& mesh, const fem::Space& space, int components);
     void add(const std::string& kernel, const std::string& coefficient,
              std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets);
+    void add(const Source& source);
     void assemble(Term& term, double t, std::vector<double>& vector);
 
     const mesh::Mesh* mesh_;

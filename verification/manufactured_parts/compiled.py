@@ -1,0 +1,82 @@
+"""The linear forms and error functionals of a study, for FFCx; in_space.py and in_time.py give them to it."""
+
+from typing import Any
+
+import strong_form as strong
+import ufl
+from cases import CASES, displacement, foundation_temperature, gap, temperature
+
+Forms = dict[str, Any]
+
+
+def quadrature_degree(degree: int) -> int:
+    """The leading part of a squared error is of degree 2 p + 2. Two more leave quadrature errors of order 2 p + 5 in
+    the sources, far below the p + 1 that is measured."""
+    return 2 * degree + 4
+
+
+class Exact:
+    """The exact fields of one case on the mesh, those of absent physics None, and the sources that they need."""
+
+    def __init__(self, study: str, case: Any, mesh: Any, t: Any, degree: int) -> None:
+        x, self.t, self.case, self.n = ufl.SpatialCoordinate(mesh), ufl.variable(t), case, ufl.FacetNormal(mesh)
+        self.dim = len(x)
+        self.u = displacement(study, x, self.t, degree) if case.material else None
+        self.w = strong.rate(self.u, self.t) if case.material else None
+        self.theta = temperature(study, x, self.t, degree) if case.heat else None
+        self.foundation = foundation_temperature(x, self.t)
+
+    def mechanical(self) -> dict[str, Any]:
+        """Body force; what acts on a side; what acts on the contact side beside its laws."""
+        traction = ufl.dot(strong.stress(self.case, self.u, self.w, self.theta), self.n)
+        sources = {
+            "body_force": strong.body_force(self.case, self.u, self.t, self.theta),
+            "traction": traction,
+        }
+        if contact := self.case.contact:
+            g = gap(contact, self.u, self.t)
+            sources["contact_traction"] = traction - strong.contact_traction(contact, self.u, self.w, g, self.n)
+        return sources
+
+    def thermal(self) -> dict[str, Any]:
+        """The same for the heat: source, flux into the body on a side, and on the contact side."""
+        inflow = -ufl.dot(strong.heat_flux_vector(self.case, self.theta, self.dim), self.n)
+        sources = {
+            "heat_source": strong.heat_source(self.case, self.theta, self.t, self.u, self.dim),
+            "heat_flux": inflow,
+        }
+        if contact := self.case.contact:
+            r = strong.penetration(self.u, gap(contact, self.u, self.t), self.n)
+            outflow = strong.contact_outflow(contact, self.theta, self.foundation, r)
+            sources["contact_heat_flux"] = inflow + outflow
+        return sources
+
+
+def forms(study: str, V: Any, Q: Any, mesh: Any, t: Any, u_h: Any, w_h: Any, theta_h: Any) -> Forms:
+    """All forms of a study by name: CASE_body_force, ..., CASE_error_gradient."""
+    degree = Q.ufl_element().degree()
+    rule = {"quadrature_degree": quadrature_degree(degree)}
+    dx, ds = ufl.dx(domain=mesh, metadata=rule), ufl.ds(domain=mesh, metadata=rule)
+    v, eta = ufl.TestFunction(V), ufl.TestFunction(Q)
+    result: Forms = {}
+
+    def add_sources(case: str, sources: dict[str, Any], test: Any) -> None:
+        for name, source in sources.items():
+            over = dx if name in ("body_force", "heat_source") else ds
+            result[f"{case}_{name}"] = ufl.inner(source, test) * over
+
+    def add_error(case: str, name: str, difference: Any) -> None:
+        result[f"{case}_error_{name}"] = ufl.inner(difference, difference) * dx
+
+    for name, case in CASES.items():
+        exact = Exact(study, case, mesh, t, degree)
+        if case.material:
+            add_sources(name, exact.mechanical(), v)
+            add_error(name, "displacement", u_h - exact.u)
+            add_error(name, "strain", strong.strain(u_h - exact.u))
+            add_error(name, "velocity", w_h - exact.w)
+        if case.heat:
+            add_sources(name, exact.thermal(), eta)
+            add_error(name, "temperature", theta_h - exact.theta)
+            add_error(name, "gradient", ufl.grad(theta_h - exact.theta))
+    return result

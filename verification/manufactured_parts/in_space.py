@@ -1,0 +1,10 @@
+"""Sources and errors of the manufactured solutions of the study in space (cases.py), named CASE_..."""
+
+from compiled import forms
+from space import Q, V, mesh
+from ufl import Coefficient, Constant
+
+t = Constant(mesh)
+u_h, w_h, theta_h = Coefficient(V), Coefficient(V), Coefficient(Q)
+
+globals().update(forms("space", V, Q, mesh, t, u_h, w_h, theta_h))

@@ -1,0 +1,114 @@
+/// Marches one manufactured solution and prints how far the discrete one is from it at the end.
+///
+///     manufactured SCENE STUDY.CASE
+///
+/// SCENE holds the laws, the initial and the prescribed values (verification/manufactured_parts/scenes.py
+/// writes it); the sources that make the solution exact, and the errors, are the kernels STUDY.CASE_...
+/// compiled from UFL. Output: one line of JSON, norms of the errors by name.
+
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "march/simulation.h"
+#include "mesh/mesh.h"
+#include "scene/reader.h"
+
+extern "C" {
+extern const thermocontact_kernel manufactured_kernels[];
+extern const int manufactured_kernel_count;
+}
+
+namespace {
+
+using namespace thermocontact;
+
+class Manufactured {
+  public:
+    Manufactured(const scene::Scene& scene, std::string name)
+        : scene_(&scene), name_(std::move(name)), mesh_(mesh::make_rectangle(scene.mesh)) {}
+
+    model::Sources sources() const {
+        model::Sources result;
+        if (scene_->material) {
+            result.mechanical = balance("body_force", "traction", "contact_traction");
+        }
+        if (scene_->heat) {
+            result.thermal = balance("heat_source", "heat_flux", "contact_heat_flux");
+        }
+        return result;
+    }
+
+    nlohmann::ordered_json errors(const march::Simulation& simulation) const {
+        nlohmann::ordered_json result;
+        if (scene_->material) {
+            for (const char* error : {"displacement", "strain", "velocity"}) {
+                result[error] = norm(simulation, error);
+            }
+        }
+        if (scene_->heat) {
+            for (const char* error : {"temperature", "gradient"}) {
+                result[error] = norm(simulation, error);
+            }
+        }
+        return result;
+    }
+
+  private:
+    fem::Kernel kernel(const std::string& form) const {
+        const fem::KernelTable table(manufactured_kernels,
+                                     static_cast<std::size_t>(manufactured_kernel_count));
+        return fem::find_kernel(name_ + "_" + form, mesh_.cell, scene_->degree, table);
+    }
+
+    std::vector<model::Source> balance(const char* body, const char* side, const char* contact) const {
+        std::vector<model::Source> sources{{kernel(body), ""}};
+        for (const std::string& boundary : mesh_.boundary_names) {
+            const auto entry = scene_->boundaries.find(boundary);
+            const bool touches = entry != scene_->boundaries.end() && entry->second.contact;
+            sources.push_back({kernel(touches ? contact : side), boundary});
+        }
+        return sources;
+    }
+
+    double norm(const march::Simulation& simulation, const std::string& error) const {
+        const march::State& state = simulation.state();
+        const fem::Dofmap* dofmap = &simulation.space().dofmap;
+        const fem::Fields fields{{"u_h", {&state.displacement, scene_->dimension, dofmap}},
+                                 {"w_h", {&state.velocity, scene_->dimension, dofmap}},
+                                 {"theta_h", {&state.temperature, 1, dofmap}}};
+        fem::Form form(kernel("error_" + error), mesh_, {{"t", {state.time}}}, fields);
+        double square = 0;
+        for (std::int32_t cell = 0; cell < mesh_.cell_count(); ++cell) {
+            form.add_cell(cell, {&square, 1});
+        }
+        return std::sqrt(square);
+    }
+
+    const scene::Scene* scene_;
+    std::string name_;
+    mesh::Mesh mesh_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        std::cerr << "usage: manufactured SCENE STUDY.CASE\n";
+        return 2;
+    }
+    try {
+        const scene::Scene scene = scene::read_scene(argv[1]);
+        const Manufactured manufactured(scene, argv[2]);
+        march::Simulation simulation(scene, manufactured.sources());
+        while (!simulation.finished()) {
+            simulation.advance();
+        }
+        std::cout << manufactured.errors(simulation) << "\n";
+        return 0;
+    } catch (const std::exception& error) {
+        std::cerr << "manufactured: " << error.what() << "\n";
+        return 1;
+    }
+}

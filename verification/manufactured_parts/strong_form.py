@@ -1,0 +1,76 @@
+"""The equations (2.1)-(2.10) in strong form, applied to exact fields: what is left over is the source of a case.
+
+Written from the paper's equations and not from the residuals of forms/: a wrong sign there must not be repeated here.
+UFL differentiates, in x and in t.
+"""
+
+from typing import Any
+
+import ufl
+from ufl.algorithms.apply_algebra_lowering import apply_algebra_lowering
+from ufl.algorithms.apply_derivatives import apply_derivatives
+
+Expression = Any
+
+
+def rate(f: Expression, t: Expression) -> Expression:
+    """df/dt for `t` a ufl.variable. Evaluated at once: a gradient taken first would forget the variable."""
+    return apply_derivatives(apply_algebra_lowering(ufl.diff(f, t)))
+
+
+def strain(u: Expression) -> Expression:
+    gradient = ufl.grad(u)
+    return (gradient + ufl.transpose(gradient)) / 2
+
+
+def stress(case: Any, u: Expression, w: Expression, theta: Expression | None) -> Expression:
+    """(2.1): E eps(u) + V eps(w) - theta M, with Lame's constants of three-dimensional or plane strain."""
+    m, d = case.material, len(u)
+    lame = m.young * m.poisson / ((1 + m.poisson) * (1 - 2 * m.poisson))
+    shear_modulus = m.young / (2 * (1 + m.poisson))
+    identity = ufl.Identity(d)
+    elastic = lame * ufl.div(u) * identity + 2 * shear_modulus * strain(u)
+    viscous = m.trace * ufl.div(w) * identity + m.shear * strain(w)
+    if theta is None:
+        return elastic + viscous
+    return elastic + viscous - theta * ufl.as_matrix(case.heat.thermal_stress(d))
+
+
+def heat_flux_vector(case: Any, theta: Expression, d: int) -> Expression:
+    """(2.2): q = -K grad(theta)."""
+    return -ufl.as_matrix(case.heat.conductivity(d)) * ufl.grad(theta)
+
+
+def body_force(case: Any, u: Expression, t: Expression, theta: Expression | None) -> Expression:
+    """(2.3): f0 = rho u'' - Div(sigma)."""
+    w = rate(u, t)
+    return case.material.density * rate(w, t) - ufl.div(stress(case, u, w, theta))
+
+
+def heat_source(case: Any, theta: Expression, t: Expression, u: Expression | None, d: int) -> Expression:
+    """(2.4): q0 = c theta' + div(q) - R : eps(u)."""
+    source = case.heat.capacity * rate(theta, t) + ufl.div(heat_flux_vector(case, theta, d))
+    if u is None:
+        return source
+    return source - ufl.inner(ufl.as_matrix(case.heat.strain_heating(d)), strain(u))
+
+
+def penetration(u: Expression, g: Expression, n: Expression) -> Expression:
+    return ufl.dot(u, n) - g
+
+
+def contact_traction(contact: Any, u: Expression, w: Expression, g: Expression, n: Expression) -> Expression:
+    """(2.8) and (2.9), the norm of the slip regularised: the traction that the foundation exerts."""
+    r = penetration(u, g, n)
+    pressure = contact.stiffness * ufl.conditional(ufl.gt(r, 0), r, 0.0) ** contact.exponent
+    slip = w - ufl.dot(w, n) * n
+    speed = ufl.sqrt(ufl.dot(slip, slip) + contact.regularisation**2)
+    return -pressure * n - contact.friction * pressure * slip / speed
+
+
+def contact_outflow(
+    contact: Any, theta: Expression, foundation: Expression, r: Expression
+) -> Expression:
+    """(2.10): q.n = k_c(r) (theta - theta_F), with k_c growing from 0 at r = 0 to its value at the onset."""
+    share = ufl.conditional(ufl.lt(r, 0), 0.0, ufl.conditional(ufl.lt(r, contact.onset), r / contact.onset, 1.0))
+    return contact.conductance * share * (theta - foundation)

@@ -19,11 +19,16 @@ class Exact:
     """The exact fields of one case on the mesh, those of absent physics None, and the sources that they need."""
 
     def __init__(self, study: str, case: Any, mesh: Any, t: Any, degree: int) -> None:
-        x, self.t, self.case, self.n = ufl.SpatialCoordinate(mesh), ufl.variable(t), case, ufl.FacetNormal(mesh)
+        x, self.t, self.case, self.n = (
+            ufl.SpatialCoordinate(mesh),
+            ufl.variable(t),
+            case,
+            ufl.FacetNormal(mesh),
+        )
         self.dim = len(x)
         self.u = displacement(study, x, self.t, degree) if case.material else None
         self.w = strong.rate(self.u, self.t) if case.material else None
-        self.theta = temperature(study, x, self.t, degree) if case.heat else None
+        self.theta = temperature(study, case, x, self.t, degree) if case.heat else None
         self.foundation = foundation_temperature(x, self.t)
 
     def mechanical(self) -> dict[str, Any]:
@@ -35,7 +40,9 @@ class Exact:
         }
         if contact := self.case.contact:
             g = gap(contact, self.u, self.t)
-            sources["contact_traction"] = traction - strong.contact_traction(contact, self.u, self.w, g, self.n)
+            sources["contact_traction"] = traction - strong.contact_traction(
+                contact, self.u, self.w, g, self.n
+            )
         return sources
 
     def thermal(self) -> dict[str, Any]:

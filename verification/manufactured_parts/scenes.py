@@ -1,6 +1,7 @@
 """The scene of a manufactured solution: its laws, and its initial and prescribed values printed from UFL."""
 
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,15 +15,25 @@ TOLERANCE = 1e-13  # of each nonlinear solve, relative: below every error that i
 
 @dataclass(frozen=True)
 class Cell:
-    """What the meshes of a kind of cell need: a line here for each kind that the driver has."""
+    """A kind of cell that the driver has: the keys of its meshes, and by degree the cells a side whose errors are
+    compared, fine enough for the orders to show."""
 
     name: str
     dim: int
-    mesh: tuple[tuple[str, Any], ...]
+    mesh: Mapping[str, Any]
+    sizes: Mapping[int, Sequence[int]]
     diagonals: bool = False  # whether mesh.diagonal means something
 
 
-CELLS = {"triangle": Cell("triangle", 2, (("shape", "rectangle"),), diagonals=True)}
+CELLS = {
+    "triangle": Cell(
+        "triangle",
+        2,
+        mesh={"shape": "rectangle"},
+        sizes={1: (16, 32, 64, 128), 2: (8, 16, 32, 64)},
+        diagonals=True,
+    ),
+}
 DIAGONALS = {
     "mechanics": "right",
     "heat": "left",
@@ -36,19 +47,30 @@ DIAGONALS = {
 CLAMPED, ROLLER, CONTACT = "top", "left", "bottom"
 
 
-def scene(study: str, name: str, cell: Cell, degree: int, cells: int, steps: int) -> str:
+@dataclass(frozen=True)
+class Resolution:
+    cell: Cell
+    degree: int
+    cells: int  # a side
+    steps: int
+    scheme: str
+
+
+def scene(study: str, name: str, at: Resolution) -> str:
     """As TOML, one dotted key a line."""
+    cell, degree = at.cell, at.degree
     case, printer = CASES[name], Printer(cell.name, cell.dim)
-    keys: Keys = {f"mesh.{key}": value for key, value in cell.mesh}
+    keys: Keys = {f"mesh.{key}": value for key, value in cell.mesh.items()}
     if cell.diagonals:
         keys["mesh.diagonal"] = DIAGONALS[name]
     keys |= {
         "mesh.lower": [0.0] * cell.dim,
         "mesh.upper": [1.0] * cell.dim,
-        "mesh.cells": [cells] * cell.dim,
+        "mesh.cells": [at.cells] * cell.dim,
         "space.degree": degree,
         "time.end": cases.END,
-        "time.steps": steps,
+        "time.steps": at.steps,
+        "time.scheme": at.scheme,
         "solver.tolerance": TOLERANCE,
     }
     if case.material:
@@ -82,7 +104,7 @@ def mechanics(study: str, case: Case, printer: Printer, degree: int) -> Keys:
 def heat(study: str, case: Case, printer: Printer, degree: int) -> Keys:
     h, d = case.heat, len(printer.x)
     assert h is not None
-    theta = printer.text(cases.temperature(study, printer.x, printer.t, degree))
+    theta = printer.text(cases.temperature(study, case, printer.x, printer.t, degree))
     keys = {
         "heat.capacity": h.capacity,
         "heat.conductivity": h.conductivity(d),

@@ -68,9 +68,9 @@ def contact_traction(contact: Any, u: Expression, w: Expression, g: Expression, 
     return -pressure * n - contact.friction * pressure * slip / speed
 
 
-def contact_outflow(
-    contact: Any, theta: Expression, foundation: Expression, r: Expression
-) -> Expression:
+def contact_outflow(contact: Any, theta: Expression, foundation: Expression, r: Expression) -> Expression:
     """(2.10): q.n = k_c(r) (theta - theta_F), with k_c growing from 0 at r = 0 to its value at the onset."""
-    share = ufl.conditional(ufl.lt(r, 0), 0.0, ufl.conditional(ufl.lt(r, contact.onset), r / contact.onset, 1.0))
+    share = ufl.conditional(
+        ufl.lt(r, 0), 0.0, ufl.conditional(ufl.lt(r, contact.onset), r / contact.onset, 1.0)
+    )
     return contact.conductance * share * (theta - foundation)

@@ -1,0 +1,99 @@
+"""Manufactured solutions: the orders in space and time that the driver shows, against those of theory.
+
+    python3 verification/manufactured.py [--study space|time ...] [--case NAME ...] [--cell NAME ...] [--degree P ...]
+                                         [--program build/manufactured] [--output DIR] [--small]
+
+An exact u(x,t) and theta(x,t) is written in UFL (manufactured_parts/cases.py). UFL derives the loads, tractions and
+contact sources that make it exact from the equations in strong form, FFCx compiles them, and the program `manufactured`
+marches the scene with these sources and integrates the errors at the end. L2 errors must fall with h^(p+1), those of
+eps(u) and grad(theta) with h^p, all with k in the order of the scheme; each of three observed orders within 0.1.
+
+--output writes orders.csv, orders.txt and pictures. Exit codes: 0 all orders as in theory, 1 one is not, 2 wrong usage
+or a run that failed.
+"""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from benchmarking.process import ROOT
+from manufactured_parts import report
+from manufactured_parts.cases import CASES
+from manufactured_parts.scenes import CELLS
+from manufactured_parts.study import STUDIES, TOLERANCE, Curve, Driver, RunFailed, all_curves
+
+AS_IN_THEORY, OFF, BROKEN = 0, 1, 2
+
+
+def parse(arguments: Sequence[str]) -> argparse.Namespace:
+    degrees = sorted({degree for cell in CELLS.values() for degree in cell.sizes})
+    parser = argparse.ArgumentParser(
+        description="Compare orders of convergence on manufactured solutions with theory."
+    )
+    parser.add_argument("--study", choices=STUDIES, nargs="+", default=list(STUDIES))
+    parser.add_argument("--case", choices=CASES, nargs="+", default=list(CASES))
+    parser.add_argument("--cell", choices=CELLS, nargs="+", default=list(CELLS))
+    parser.add_argument("--degree", type=int, choices=degrees, nargs="+", default=degrees)
+    parser.add_argument("--program", type=Path, default=ROOT / "build" / "manufactured")
+    parser.add_argument("--output", type=Path, metavar="DIR", help="where table and pictures go")
+    parser.add_argument("--small", action="store_true", help="small PNGs only, for a README")
+    options = parser.parse_args(arguments)
+    if not options.program.is_file():
+        parser.error(f"no program at {options.program}")
+    return options
+
+
+def show(lines: list[str], text: str) -> None:
+    lines.append(text)
+    print(text, flush=True)
+
+
+def measure(options: argparse.Namespace, lines: list[str]) -> list[Curve]:
+    """All curves, each reported as soon as it is known."""
+    found: list[Curve] = []
+    series = all_curves(
+        Driver(options.program.resolve()), options.study, options.case, options.cell, options.degree
+    )
+    for curves in series:
+        for scheme in dict.fromkeys(curve.scheme for curve in curves):
+            own = [curve for curve in curves if curve.scheme == scheme]
+            show(lines, report.heading(own[0]))
+            for curve in own:
+                show(lines, report.row(curve))
+        found += curves
+    return found
+
+
+def write(options: argparse.Namespace, lines: Sequence[str], curves: Sequence[Curve]) -> None:
+    from manufactured_parts import picture  # matplotlib takes a second, which checks do without
+    from plotting.style import Album, styled
+
+    options.output.mkdir(parents=True, exist_ok=True)
+    report.write_csv(options.output / "orders.csv", curves)
+    (options.output / "orders.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    with styled():
+        picture.draw(curves, Album(options.output, options.small), "orders")
+
+
+def main(arguments: Sequence[str]) -> int:
+    options = parse(arguments)
+    lines: list[str] = []
+    try:
+        curves = measure(options, lines)
+        orders = [abs(order - curve.theory) for curve in curves for order in curve.orders]
+        off = sum(not difference <= TOLERANCE for difference in orders)
+        show(
+            lines,
+            f"\n{len(orders) - off} of {len(orders)} orders within {TOLERANCE} of theory, worst {max(orders):.3f} off",
+        )
+        if options.output:
+            write(options, lines, curves)
+    except (RunFailed, OSError) as problem:
+        print(f"manufactured: {problem}", file=sys.stderr)
+        return BROKEN
+    return OFF if off else AS_IN_THEORY
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,135 @@
+"""Runs of manufactured solutions at growing resolution, and the orders of their errors."""
+
+import json
+import math
+import subprocess
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from manufactured_parts.scenes import CELLS, Cell, Resolution, scene
+
+SCHEMES = {"backward-euler": 1}  # and the order in time that theory gives each, in every norm
+IN_SPACE_SCHEME, IN_SPACE_STEPS = "backward-euler", 8  # exact for the solutions of that study
+IN_TIME_CELLS, IN_TIME_STEPS = 4, (16, 32, 64, 128)
+TOLERANCE = 0.1  # of an order
+
+L2_NORMS = ("displacement", "velocity", "temperature")
+SYMBOLS = {
+    "displacement": "u, L2",
+    "strain": "u, energy",
+    "velocity": "w, L2",
+    "temperature": "theta, L2",
+    "gradient": "theta, energy",
+}
+
+
+class RunFailed(Exception):
+    """The driver did not finish a manufactured solution."""
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One norm of the error, at resolutions that double."""
+
+    study: str
+    case: str
+    cell: str
+    degree: int
+    scheme: str
+    norm: str
+    sizes: Sequence[int]  # cells a side, or steps
+    errors: Sequence[float]
+    theory: int
+
+    @property
+    def orders(self) -> list[float]:
+        """Between each resolution and the next; NaN, which fails, where an error vanishes."""
+        pairs = zip(zip(self.sizes, self.errors), zip(self.sizes[1:], self.errors[1:]))
+        return [
+            math.log(coarse / fine) / math.log(m / n) if coarse > 0 and fine > 0 else math.nan
+            for (n, coarse), (m, fine) in pairs
+        ]
+
+    @property
+    def passes(self) -> bool:
+        return all(abs(order - self.theory) <= TOLERANCE for order in self.orders)
+
+
+class Driver:
+    def __init__(self, program: Path) -> None:
+        self.program = program
+
+    def errors(self, study: str, case: str, at: Resolution) -> Mapping[str, float]:
+        """Norms of the errors at the end. Raises RunFailed."""
+        with tempfile.TemporaryDirectory(prefix="manufactured-") as folder:
+            path = Path(folder) / "scene.toml"
+            path.write_text(scene(study, case, at), encoding="utf-8")
+            command = [str(self.program), str(path), f"in_{study}.{case}"]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise RunFailed(f"{study}, {case}, {at}: exit {done.returncode}: {done.stderr.strip()}")
+        found: Mapping[str, float] = json.loads(done.stdout)
+        return found
+
+
+def in_space(driver: Driver, case: str, cell: Cell, degree: int) -> list[Curve]:
+    sizes = cell.sizes[degree]
+    errors = [
+        driver.errors("space", case, Resolution(cell, degree, n, IN_SPACE_STEPS, IN_SPACE_SCHEME))
+        for n in sizes
+    ]
+    return [
+        Curve(
+            "space",
+            case,
+            cell.name,
+            degree,
+            IN_SPACE_SCHEME,
+            norm,
+            sizes,
+            [error[norm] for error in errors],
+            degree + (1 if norm in L2_NORMS else 0),
+        )
+        for norm in errors[0]
+    ]
+
+
+def in_time(driver: Driver, case: str, cell: Cell, degree: int) -> list[Curve]:
+    curves = []
+    for scheme, order in SCHEMES.items():
+        errors = [
+            driver.errors("time", case, Resolution(cell, degree, IN_TIME_CELLS, steps, scheme))
+            for steps in IN_TIME_STEPS
+        ]
+        curves += [
+            Curve(
+                "time",
+                case,
+                cell.name,
+                degree,
+                scheme,
+                norm,
+                IN_TIME_STEPS,
+                [error[norm] for error in errors],
+                order,
+            )
+            for norm in errors[0]
+        ]
+    return curves
+
+
+STUDIES = {"space": in_space, "time": in_time}
+
+
+def all_curves(
+    driver: Driver, studies: Sequence[str], cases: Sequence[str], cells: Sequence[str], degrees: Sequence[int]
+) -> Iterator[list[Curve]]:
+    """The curves of one series of runs after another."""
+    for study in studies:
+        for case in cases:
+            for cell in cells:
+                for degree in degrees:
+                    if degree in CELLS[cell].sizes:
+                        yield STUDIES[study](driver, case, CELLS[cell], degree)

@@ -1,6 +1,7 @@
 """Generate C kernels from form files, those of this folder or of another one, with FFCx.
 
-    generate.py form FILE CELL DEGREE OUTPUT_DIR [FOLDER]    FOLDER/FILE.py -> FILE_CELL_DEGREE.c and .h
+    generate.py form FILE CELL DEGREE OUTPUT_DIR [FOLDER]    FOLDER/FILE.py -> FILE_CELL_DEGREE.c and .h;
+                                                             PACKAGE.FILE for a file in a package of FOLDER
     generate.py table NAME OUTPUT_DIR STEM...                all generated headers -> kernel_table.c, symbols NAME_...
     generate.py flags                                        the include folder of ufcx.h
 """
@@ -37,7 +38,7 @@ const char* const {name}_forms_digest = "{digest}";
 
 def generate_form(file: str, cell: str, degree: str, output: str, folder: str = str(FORMS)) -> None:
     """Write the stub that selects cell and degree, and run FFCx on it in the output folder."""
-    stub = pathlib.Path(output) / f"{file}_{cell}_{degree}.py"
+    stub = pathlib.Path(output) / f"{file.split('.')[-1]}_{cell}_{degree}.py"
     stub.write_text(STUB.format(file=file, cell=cell, degree=degree))
     command = f"import sys; sys.path[:0] = {[folder, str(FORMS)]!r}; from ffcx.main import main; main()"
     subprocess.run([sys.executable, "-c", command, stub.name], cwd=output, check=True)

@@ -9,7 +9,7 @@ marches the scene with these sources and integrates the errors at the end. L2 er
 eps(u) and grad(theta) with h^p, all with k in the order of the scheme; each of three observed orders within 0.1.
 
 --output writes orders.csv, orders.txt and pictures. Exit codes: 0 all orders as in theory, 1 one is not, 2 wrong usage
-or a run that failed.
+or a run that failed, 3 a run that found no solution.
 """
 
 import argparse
@@ -21,9 +21,9 @@ from benchmarking.process import ROOT
 from manufactured_parts import report
 from manufactured_parts.cases import CASES
 from manufactured_parts.scenes import CELLS
-from manufactured_parts.study import STUDIES, TOLERANCE, Curve, Driver, RunFailed, all_curves
+from manufactured_parts.study import STUDIES, TOLERANCE, Curve, Driver, NoSolution, RunFailed, all_curves
 
-AS_IN_THEORY, OFF, BROKEN = 0, 1, 2
+AS_IN_THEORY, OFF, BROKEN, NOT_SOLVED = 0, 1, 2, 3
 
 
 def parse(arguments: Sequence[str]) -> argparse.Namespace:
@@ -81,17 +81,19 @@ def main(arguments: Sequence[str]) -> int:
     lines: list[str] = []
     try:
         curves = measure(options, lines)
-        orders = [abs(order - curve.theory) for curve in curves for order in curve.orders]
-        off = sum(not difference <= TOLERANCE for difference in orders)
+        differences = [abs(order - curve.theory) for curve in curves for order in curve.orders]
+        off = sum(not difference <= TOLERANCE for difference in differences)
+        lowest = min(order for curve in curves for order in curve.orders)
         show(
             lines,
-            f"\n{len(orders) - off} of {len(orders)} orders within {TOLERANCE} of theory, worst {max(orders):.3f} off",
+            f"\n{len(differences) - off} of {len(differences)} orders within {TOLERANCE} of theory; "
+            f"largest difference {max(differences):.3f}, lowest order {lowest:.3f}",
         )
         if options.output:
             write(options, lines, curves)
     except (RunFailed, OSError) as problem:
         print(f"manufactured: {problem}", file=sys.stderr)
-        return BROKEN
+        return NOT_SOLVED if isinstance(problem, NoSolution) else BROKEN
     return OFF if off else AS_IN_THEORY
 
 

@@ -6,6 +6,9 @@ Builds the driver from a copy of forms/ and src/ and checks that it agrees with 
 form after another: turns one sign in the copy, rebuilds what depends on it, runs a small scene and compares with the
 oracle's result. The sabotage is noticed if compare.py finds a difference or the driver refuses (exit code 3).
 
+The manufactured solutions must notice it too, without the oracle, for every form that they march with: their orders of
+convergence leave theory, or a run finds no solution.
+
 Exit codes: 0 every sabotage was noticed, 1 one survived, 2 the check itself could not be made.
 """
 
@@ -22,9 +25,16 @@ ROOT = Path(__file__).resolve().parent.parent
 HELPERS = {"space", "generate"}  # files in forms/ that hold no form
 SMALL = ["--set", "mesh.cells=[8,8]", "--set", "time.steps=4"]
 
+ORDERS = ["--case", "slipping", "--degree", "1"]  # the case that has all physics
+# Forms that do not act there: loads, in whose place compiled sources stand, and those that only report.
+WITHOUT_ORDERS = {"body_force", "traction", "heat_source", "heat_flux", "kinematics", "norms", "stress"}
+
 CAUGHT, SURVIVED, BROKEN = 0, 1, 2
 DRIVER_REFUSED = 3
 COMPARE_AGREES, COMPARE_DIFFERS = 0, 1
+ORDERS_AGREE, ORDERS_DIFFER, ORDERS_REFUSED = 0, 1, 3
+
+Verdict = tuple[bool, str]  # whether it was noticed, and how that shows
 
 
 @dataclass(frozen=True)
@@ -89,19 +99,23 @@ class Copy:
 
     def __init__(self, work: Path) -> None:
         self.work, self.build, self.clean = work, work / "build", work / "build-clean"
-        for folder in ("forms", "src"):
+        for folder in ("forms", "src", "verification/manufactured_parts"):
             ignored = shutil.ignore_patterns("__pycache__")
             shutil.copytree(ROOT / folder, work / folder, ignore=ignored, dirs_exist_ok=True)
         shutil.copy(ROOT / "CMakeLists.txt", work)
         flags = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DCMAKE_CXX_FLAGS_RELEASE=-O1"]
-        switches = ["-DTHERMOCONTACT_TESTS=OFF", "-DTHERMOCONTACT_NATIVE=OFF"]
+        switches = [
+            "-DTHERMOCONTACT_TESTS=OFF",
+            "-DTHERMOCONTACT_MANUFACTURED=ON",
+            "-DTHERMOCONTACT_NATIVE=OFF",
+        ]
         must("cmake", "cmake", "-S", work, "-B", self.build, "-G", "Ninja", *flags, *switches)
         self.make()
         shutil.rmtree(self.clean, ignore_errors=True)
         shutil.copytree(self.build, self.clean)
 
     def make(self) -> None:
-        must("the build", "ninja", "-C", self.build, "thermocontact")
+        must("the build", "ninja", "-C", self.build, "thermocontact", "manufactured")
 
     def oracle(self, scene: str) -> Path:
         """The oracle's result of the small scene, computed once."""
@@ -120,7 +134,7 @@ class Copy:
             )
         return results
 
-    def verdict(self, scene: str) -> tuple[bool, str]:
+    def verdict(self, scene: str) -> Verdict:
         """Whether the driver as built now disagrees with the oracle, and how that shows."""
         expected, results = self.oracle(scene), self.work / "results"
         program = self.build / "thermocontact"
@@ -134,19 +148,31 @@ class Copy:
             raise CannotCheck(f"compare.py ended with exit code {comparison.returncode}: {comparison.stderr}")
         return comparison.returncode == COMPARE_DIFFERS, last_line(comparison.stdout).split("; ", 1)[-1]
 
-    def sabotaged(self, edit: Edit) -> tuple[bool, str]:
-        """The verdict with the sign turned. Form and build are put back with their times, lest they be built again."""
+    def orders_verdict(self) -> Verdict:
+        """Whether the manufactured solutions converge otherwise than theory says."""
+        program = ROOT / "verification/manufactured.py"
+        study = call(sys.executable, program, "--program", self.build / "manufactured", *ORDERS)
+        if study.returncode == ORDERS_REFUSED:
+            return True, "orders: " + last_line(study.stderr).removeprefix("manufactured: ")
+        if study.returncode not in (ORDERS_AGREE, ORDERS_DIFFER):
+            raise CannotCheck(f"manufactured.py ended with exit code {study.returncode}: {study.stderr}")
+        return study.returncode == ORDERS_DIFFER, "orders: " + last_line(study.stdout)
+
+    def sabotaged(self, edit: Edit) -> list[Verdict]:
+        """The verdicts with the sign turned. Form and build are put back with their times, lest they be built again."""
         original, path = ROOT / f"forms/{edit.form}.py", self.work / f"forms/{edit.form}.py"
         text = path.read_text(encoding="utf-8")
         if text.count(edit.text) != 1:
             raise CannotCheck(f"forms/{edit.form}.py holds {text.count(edit.text)} times: {edit.text}")
         path.write_text(text.replace(edit.text, edit.wrong), encoding="utf-8")
         self.make()
-        verdict = self.verdict(edit.scene)
+        verdicts = [self.verdict(edit.scene)]
+        if edit.form not in WITHOUT_ORDERS:
+            verdicts.append(self.orders_verdict())
         shutil.copy2(original, path)
         shutil.rmtree(self.build)
         shutil.copytree(self.clean, self.build)
-        return verdict
+        return verdicts
 
 
 def scene_file(scene: str) -> Path:
@@ -168,13 +194,19 @@ def check(work: Path) -> int:
         if differs:
             raise CannotCheck(f"untouched forms, scene {scene}: {how}")
         print(f"untouched forms, scene {scene}: {how}", flush=True)
+    off, how = copy.orders_verdict()
+    if off:
+        raise CannotCheck(f"untouched forms: {how}")
+    print(f"untouched forms: {how}", flush=True)
     print(f"\n{'form':<15} {'wrong sign':<48} noticed by")
     survived = []
     for edit in EDITS:
-        noticed, how = copy.sabotaged(edit)
-        note = textwrap.shorten(how if noticed else "NOT NOTICED: " + how, 120)
-        print(f"{edit.form:<15} {edit.wrong:<48} {note}", flush=True)
-        if not noticed:
+        verdicts = copy.sabotaged(edit)
+        names = [edit.form, ""], [edit.wrong, ""]
+        for form, wrong, (noticed, how) in zip(*names, verdicts):
+            note = textwrap.shorten(how if noticed else "NOT NOTICED: " + how, 120)
+            print(f"{form:<15} {wrong:<48} {note}", flush=True)
+        if not all(noticed for noticed, _ in verdicts):
             survived.append(edit.form)
     print(f"\n{len(EDITS) - len(survived)} of {len(EDITS)} wrong signs noticed")
     return SURVIVED if survived else CAUGHT

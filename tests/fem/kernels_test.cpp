@@ -279,6 +279,9 @@ TEST(KernelTable, UnknownNamesAreErrorsOfTheProgram) {
     EXPECT_THROW(find_kernel("elasticity.sticktion", "triangle", 1), std::logic_error);
     EXPECT_THROW(find_kernel("elasticity.stiffness", "triangle", 7), std::logic_error);
     EXPECT_THROW(find_kernel("elasticity.stiffness", "heptagon", 1), std::logic_error);
+    const thermocontact_kernel& one = linked_kernels().back();
+    EXPECT_EQ(find_kernel(one.name, one.cell, one.degree, {&one, 1}).name, one.name) << "a table of one";
+    EXPECT_THROW(find_kernel("elasticity.stiffness", "triangle", 1, {&one, 1}), std::logic_error);
     EXPECT_NE(kernel_provenance().find("FFCx"), std::string::npos);
 }
 

@@ -412,6 +412,34 @@ INSTANTIATE_TEST_SUITE_P(
                              "heat.capacity = 1\n"}),
     [](const auto& info) { return info.param.name; });
 
+/// The time integrated against linear shape functions, as FFCx would compile t * q * dx.
+void add_time(double* A, const double*, const double* c, const double* x, const int*, const std::uint8_t*) {
+    const double area = std::abs((x[3] - x[0]) * (x[7] - x[1]) - (x[6] - x[0]) * (x[4] - x[1])) / 2;
+    for (int i = 0; i < 3; ++i) {
+        A[i] += c[0] * area / 3;
+    }
+}
+
+/// Loads that no scene states, over the cells with the time and on one side without it.
+TEST(Simulation, CompiledSourcesActAsLoads) {
+    const std::string text =
+        "mesh.cells = [3, 4]\ntime = {end = 2, steps = 5}\nheat = {capacity = 2, conductivity = 3";
+    const scene::Scene stated = scene::read(text + ", source = \"t\"}\nboundary.left.heat_flux = 1\n");
+    const scene::Scene bare = scene::read(text + "}\n");
+    const fem::Kernel over_cells{"time", 1, {}, {"t"}, {{-1, add_time}}, {}};
+    const fem::Kernel on_side = fem::find_kernel("kinematics.node_area", "triangle", 1);
+    Simulation expected(stated), found(bare, {{}, {{over_cells, ""}, {on_side, "left"}}});
+    while (!expected.finished()) {
+        expected.advance();
+        found.advance();
+        for (std::size_t i = 0; i < expected.state().temperature.size(); ++i) {
+            EXPECT_NEAR(found.state().temperature[i], expected.state().temperature[i], 1e-13);
+        }
+    }
+    EXPECT_GT(value(found.record(), "temperature_l2"), 0.1);
+    EXPECT_LE(found.totals().heat_residual, 1e-9);
+}
+
 /// The same scene twice gives the same bits: nothing depends on addresses, threads or what ran before.
 TEST(Simulation, IsReproducible) {
     const scene::Scene scene = repository_scene("paper", {"mesh.cells=[8,8]"});

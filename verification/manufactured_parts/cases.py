@@ -158,7 +158,7 @@ class InTime:
         return ufl.exp(-t) * (1 + self.polynomial(x, 0, degree))
 
 
-STUDIES = {"space": InSpace(), "time": InTime()}
+STUDIES: dict[str, InSpace | InTime] = {"space": InSpace(), "time": InTime()}
 
 
 def displacement(study: str, x: Expression, t: Expression, degree: int) -> Expression:

@@ -2,9 +2,10 @@
 
 from typing import Any
 
-import strong_form as strong
 import ufl
-from cases import CASES, displacement, foundation_temperature, gap, temperature
+
+from manufactured_parts import strong_form as strong
+from manufactured_parts.cases import CASES, Case, displacement, foundation_temperature, gap, temperature
 
 Forms = dict[str, Any]
 
@@ -18,7 +19,7 @@ def quadrature_degree(degree: int) -> int:
 class Exact:
     """The exact fields of one case on the mesh, those of absent physics None, and the sources that they need."""
 
-    def __init__(self, study: str, case: Any, mesh: Any, t: Any, degree: int) -> None:
+    def __init__(self, study: str, case: Case, mesh: Any, t: Any, degree: int) -> None:
         x, self.t, self.case, self.n = (
             ufl.SpatialCoordinate(mesh),
             ufl.variable(t),

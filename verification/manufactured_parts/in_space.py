@@ -1,8 +1,9 @@
 """Sources and errors of the manufactured solutions of the study in space (cases.py), named CASE_..."""
 
-from compiled import forms
 from space import Q, V, mesh
 from ufl import Coefficient, Constant
+
+from manufactured_parts.compiled import forms
 
 t = Constant(mesh)
 u_h, w_h, theta_h = Coefficient(V), Coefficient(V), Coefficient(Q)

@@ -4,13 +4,15 @@
 ///
 /// SCENE holds the laws, the initial and the prescribed values (verification/manufactured_parts/scenes.py
 /// writes it); the sources that make the solution exact, and the errors, are the kernels STUDY.CASE_...
-/// compiled from UFL. Output: one line of JSON, norms of the errors by name.
+/// compiled from UFL. Output: one line of JSON, norms of the errors by name. Exit codes: 1 failed, 2 usage, 3
+/// numerics failed.
 
 #include <cmath>
 #include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "error.h"
 #include "march/simulation.h"
 #include "mesh/mesh.h"
 #include "scene/reader.h"
@@ -107,6 +109,9 @@ int main(int argc, char** argv) {
         }
         std::cout << manufactured.errors(simulation) << "\n";
         return 0;
+    } catch (const NumericsError& error) {
+        std::cerr << "manufactured: " << error.what() << "\n";
+        return 3;
     } catch (const std::exception& error) {
         std::cerr << "manufactured: " << error.what() << "\n";
         return 1;

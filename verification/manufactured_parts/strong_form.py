@@ -4,13 +4,11 @@ Written from the paper's equations and not from the residuals of forms/: a wrong
 UFL differentiates, in x and in t.
 """
 
-from typing import Any
-
 import ufl
 from ufl.algorithms.apply_algebra_lowering import apply_algebra_lowering
 from ufl.algorithms.apply_derivatives import apply_derivatives
 
-Expression = Any
+from manufactured_parts.cases import Case, Contact, Expression
 
 
 def rate(f: Expression, t: Expression) -> Expression:
@@ -23,9 +21,10 @@ def strain(u: Expression) -> Expression:
     return (gradient + ufl.transpose(gradient)) / 2
 
 
-def stress(case: Any, u: Expression, w: Expression, theta: Expression | None) -> Expression:
+def stress(case: Case, u: Expression, w: Expression, theta: Expression | None) -> Expression:
     """(2.1): E eps(u) + V eps(w) - theta M, with Lame's constants of three-dimensional or plane strain."""
     m, d = case.material, len(u)
+    assert m is not None
     lame = m.young * m.poisson / ((1 + m.poisson) * (1 - 2 * m.poisson))
     shear_modulus = m.young / (2 * (1 + m.poisson))
     identity = ufl.Identity(d)
@@ -33,22 +32,26 @@ def stress(case: Any, u: Expression, w: Expression, theta: Expression | None) ->
     viscous = m.trace * ufl.div(w) * identity + m.shear * strain(w)
     if theta is None:
         return elastic + viscous
+    assert case.heat is not None
     return elastic + viscous - theta * ufl.as_matrix(case.heat.thermal_stress(d))
 
 
-def heat_flux_vector(case: Any, theta: Expression, d: int) -> Expression:
+def heat_flux_vector(case: Case, theta: Expression, d: int) -> Expression:
     """(2.2): q = -K grad(theta)."""
+    assert case.heat is not None
     return -ufl.as_matrix(case.heat.conductivity(d)) * ufl.grad(theta)
 
 
-def body_force(case: Any, u: Expression, t: Expression, theta: Expression | None) -> Expression:
+def body_force(case: Case, u: Expression, t: Expression, theta: Expression | None) -> Expression:
     """(2.3): f0 = rho u'' - Div(sigma)."""
+    assert case.material is not None
     w = rate(u, t)
     return case.material.density * rate(w, t) - ufl.div(stress(case, u, w, theta))
 
 
-def heat_source(case: Any, theta: Expression, t: Expression, u: Expression | None, d: int) -> Expression:
+def heat_source(case: Case, theta: Expression, t: Expression, u: Expression | None, d: int) -> Expression:
     """(2.4): q0 = c theta' + div(q) - R : eps(u)."""
+    assert case.heat is not None
     source = case.heat.capacity * rate(theta, t) + ufl.div(heat_flux_vector(case, theta, d))
     if u is None:
         return source
@@ -59,7 +62,9 @@ def penetration(u: Expression, g: Expression, n: Expression) -> Expression:
     return ufl.dot(u, n) - g
 
 
-def contact_traction(contact: Any, u: Expression, w: Expression, g: Expression, n: Expression) -> Expression:
+def contact_traction(
+    contact: Contact, u: Expression, w: Expression, g: Expression, n: Expression
+) -> Expression:
     """(2.8) and (2.9), the norm of the slip regularised: the traction that the foundation exerts."""
     r = penetration(u, g, n)
     pressure = contact.stiffness * ufl.conditional(ufl.gt(r, 0), r, 0.0) ** contact.exponent
@@ -68,7 +73,7 @@ def contact_traction(contact: Any, u: Expression, w: Expression, g: Expression, 
     return -pressure * n - contact.friction * pressure * slip / speed
 
 
-def contact_outflow(contact: Any, theta: Expression, foundation: Expression, r: Expression) -> Expression:
+def contact_outflow(contact: Contact, theta: Expression, foundation: Expression, r: Expression) -> Expression:
     """(2.10): q.n = k_c(r) (theta - theta_F), with k_c growing from 0 at r = 0 to its value at the onset."""
     share = ufl.conditional(
         ufl.lt(r, 0), 0.0, ufl.conditional(ufl.lt(r, contact.onset), r / contact.onset, 1.0)

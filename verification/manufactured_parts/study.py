@@ -25,8 +25,15 @@ SYMBOLS = {
 }
 
 
+NUMERICS_FAILED = 3  # exit code of the program
+
+
 class RunFailed(Exception):
     """The driver did not finish a manufactured solution."""
+
+
+class NoSolution(RunFailed):
+    """Because a system was singular or Newton did not converge."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +76,8 @@ class Driver:
             command = [str(self.program), str(path), f"in_{study}.{case}"]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
-            raise RunFailed(f"{study}, {case}, {at}: exit {done.returncode}: {done.stderr.strip()}")
+            kind = NoSolution if done.returncode == NUMERICS_FAILED else RunFailed
+            raise kind(f"{study}, {case}, {at}: exit {done.returncode}: {done.stderr.strip()}")
         found: Mapping[str, float] = json.loads(done.stdout)
         return found
 

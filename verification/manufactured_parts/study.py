@@ -77,7 +77,10 @@ class Driver:
             done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             kind = NoSolution if done.returncode == NUMERICS_FAILED else RunFailed
-            raise kind(f"{study}, {case}, {at}: exit {done.returncode}: {done.stderr.strip()}")
+            where = (
+                f"{study}, {case}, {at.cell.name} of degree {at.degree}, {at.cells} cells, {at.steps} steps"
+            )
+            raise kind(f"{where}: {done.stderr.strip().removeprefix('manufactured: ')}")
         found: Mapping[str, float] = json.loads(done.stdout)
         return found
 

@@ -1,6 +1,5 @@
 #include "march/balance.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -8,32 +7,29 @@
 #include "march/vectors.h"
 #include "number.h"
 #include "solve/continuation.h"
+#include "solve/panel_factor.h"
 #include "stopwatch.h"
 
 namespace thermocontact::march {
 namespace {
 
-solve::CondensedSystem condense(const std::string& equation, const fem::BlockMatrix& matrix,
-                                const model::Prescribed& prescribed, const std::vector<char>& contact_nodes,
-                                const fem::Space& space, solve::InteriorOrders& orders, double& seconds) {
+std::unique_ptr<solve::StepProblem> prepare(const solve::StepProblemInput& input, const fem::Space& space,
+                                            solve::Strategy& strategy) {
     try {
-        return timed(seconds, [&] {
-            return solve::CondensedSystem(matrix, prescribed.fixed(), contact_nodes,
-                                          orders.without(contact_nodes));
-        });
+        return strategy.prepare(input);
     } catch (const solve::NotPositiveDefinite& failure) {
-        const mesh::Point& x = space.nodes[static_cast<std::size_t>(failure.row / matrix.rows)];
+        const mesh::Point& x = space.nodes[static_cast<std::size_t>(failure.row / input.matrix.rows)];
         throw NumericsError(
-            equation + ": the system is singular or indefinite, seen at (" + short_text(x[0]) + ", " +
-            short_text(x[1]) + ") component " + std::to_string(failure.row % matrix.rows) +
+            input.name + " balance: the system is singular or indefinite, seen at (" + short_text(x[0]) +
+            ", " + short_text(x[1]) + ") component " + std::to_string(failure.row % input.matrix.rows) +
             "; the body may be free to move, or a tensor not positive; prescribe a value on a "
             "boundary, or add density (heat: capacity)");
     }
 }
 
-std::string failure_text(const std::string& equation, const solve::NewtonResult& first,
+std::string failure_text(const std::string& name, const solve::NewtonResult& first,
                          const solve::ContinuationResult* ladder) {
-    std::string text = equation + ": Newton stopped after " + std::to_string(first.iterations) +
+    std::string text = name + " balance: Newton stopped after " + std::to_string(first.iterations) +
                        " iterations (" + solve::describe(first.end) + ", relative residual " +
                        short_text(first.residual) + ")";
     if (ladder != nullptr) {
@@ -46,18 +42,21 @@ std::string failure_text(const std::string& equation, const solve::NewtonResult&
 
 }  // namespace
 
-Balance::Balance(std::string equation, const scene::SolverSpec& options, fem::BlockMatrix matrix,
+Balance::Balance(std::string name, const scene::SolverSpec& options, fem::BlockMatrix matrix,
                  model::Prescribed prescribed, const std::vector<char>& contact_nodes,
-                 model::FacetTerm contact, const fem::Space& space, solve::InteriorOrders& orders,
+                 model::FacetTerm contact, const fem::Space& space, solve::Strategy& strategy,
                  std::vector<double>& unknown)
-    : equation_(std::move(equation)),
+    : name_(std::move(name)),
       matrix_(std::move(matrix)),
       prescribed_(std::move(prescribed)),
       contact_(std::move(contact)),
-      unknown_(&unknown),
-      system_(condense(equation_, matrix_, prescribed_, contact_nodes, space, orders, factor_seconds_)),
-      newton_({options.tolerance, options.max_iterations}) {
-    contact_.restrict_to(system_.contact_dofs());
+      unknown_(&unknown) {
+    const bool symmetric = contact_.smallest_regularisation() == 0;
+    const solve::StepProblemInput input{
+        name_,         matrix_,   prescribed_.fixed(),
+        contact_nodes, symmetric, {options.tolerance, options.max_iterations}};
+    problem_ = timed(factor_seconds_, [&] { return prepare(input, space, strategy); });
+    contact_.restrict_to(problem_->contact_dofs());
 }
 
 void Balance::remove_prescribed(std::vector<double>& rhs) {
@@ -74,47 +73,38 @@ void Balance::remove_prescribed(std::vector<double>& rhs) {
 
 SolveReport Balance::solve(std::vector<double>& rhs) {
     remove_prescribed(rhs);
-    const Eigen::VectorXd condensed =
-        timed(seconds_.triangular_solves, [&] { return system_.condense(rhs); });
-    Eigen::VectorXd x(condensed.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-        x[i] = (*unknown_)[static_cast<std::size_t>(system_.contact_dofs()[static_cast<std::size_t>(i)])];
-    }
-    SolveReport report;
-    if (x.size() > 0) {
-        report = timed(seconds_.newton, [&] { return solve_contact(condensed, x); });
-    }
-    timed(seconds_.triangular_solves, [&] { system_.expand(x, *unknown_); });
+    Eigen::VectorXd x = timed(seconds_.triangular_solves, [&] { return problem_->begin(rhs, *unknown_); });
+    const SolveReport report = timed(seconds_.newton, [&] { return solve_contact(x); });
+    timed(seconds_.triangular_solves, [&] { problem_->finish(x, *unknown_); });
     if (!as_eigen(*unknown_).allFinite()) {
-        throw NumericsError(equation_ +
-                            ": the solution is not finite; scale the data, or use more time.steps");
+        throw NumericsError(name_ +
+                            " balance: the solution is not finite; scale the data, or use more time.steps");
     }
     return report;
 }
 
-SolveReport Balance::solve_contact(const Eigen::VectorXd& rhs, Eigen::VectorXd& x) {
-    const Eigen::MatrixXd& S = system_.schur_complement();
+SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
     const Eigen::VectorXd start = x;
-    const solve::NewtonResult direct = newton_.solve(S, rhs, contact_, x);
+    const solve::NewtonResult direct = problem_->solve(contact_, x);
     if (direct.end == solve::NewtonEnd::converged) {
         return {direct.iterations, 0};
     }
     const double target = contact_.smallest_regularisation();
     if (target == 0) {
-        throw NumericsError(failure_text(equation_, direct, nullptr));
+        throw NumericsError(failure_text(name_, direct, nullptr));
     }
     const auto rung = [&](double floor, Eigen::VectorXd& value) {
         contact_.raise_regularisation(floor);
-        return newton_.solve(S, rhs, contact_, value);
+        return problem_->solve(contact_, value);
     };
     // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear
     x = start;
-    const double fastest = std::max(rhs.size() > 0 ? (S.ldlt().solve(rhs)).cwiseAbs().maxCoeff() : 0.0,
-                                    start.cwiseAbs().maxCoeff());
+    const double fastest =
+        std::max(problem_->largest_without_contact(), start.size() > 0 ? start.cwiseAbs().maxCoeff() : 0.0);
     const solve::ContinuationResult ladder = solve::continue_regularisation(rung, fastest, target, x);
     contact_.raise_regularisation(0);
     if (ladder.newton.end != solve::NewtonEnd::converged) {
-        throw NumericsError(failure_text(equation_, direct, &ladder));
+        throw NumericsError(failure_text(name_, direct, &ladder));
     }
     return {direct.iterations + ladder.newton.iterations, ladder.rungs};
 }

@@ -1,6 +1,8 @@
-/// What the two balances of a step share: a condensed system with prescribed values and a contact term.
+/// What the two balances of a step share: a system with prescribed values and a contact term, solved by a
+/// strategy.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,18 +10,18 @@
 #include "model/facet_term.h"
 #include "model/nodal.h"
 #include "scene/scene.h"
-#include "solve/condensed_system.h"
+#include "solve/step_problem.h"
 
 namespace thermocontact::march {
 
-/// Solves A x + F(x) = r for the unknowns that are not prescribed, A factored once.
+/// Solves A x + F(x) = r for the unknowns that are not prescribed, A prepared once.
 class Balance {
   public:
     /// `unknown` is the trial field [dofs] that the contact term reads and solve() fills.
     /// Throws NumericsError where A is singular.
-    Balance(std::string equation, const scene::SolverSpec& options, fem::BlockMatrix matrix,
+    Balance(std::string name, const scene::SolverSpec& options, fem::BlockMatrix matrix,
             model::Prescribed prescribed, const std::vector<char>& contact_nodes, model::FacetTerm contact,
-            const fem::Space& space, solve::InteriorOrders& orders, std::vector<double>& unknown);
+            const fem::Space& space, solve::Strategy& strategy, std::vector<double>& unknown);
 
     /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws
     /// NumericsError if no solution is found, having tried Newton and continuation in the regularisation.
@@ -30,22 +32,21 @@ class Balance {
     /// Time spent in solve().
     const StepSeconds& seconds() const { return seconds_; }
     double factor_seconds() const { return factor_seconds_; }
-    std::int64_t factor_entries() const { return system_.factor_entries(); }
-    std::size_t contact_unknowns() const { return system_.contact_dofs().size(); }
+    std::int64_t factor_entries() const { return problem_->factor_entries(); }
+    std::size_t contact_unknowns() const { return problem_->contact_dofs().size(); }
 
   private:
-    SolveReport solve_contact(const Eigen::VectorXd& rhs, Eigen::VectorXd& x);
+    SolveReport solve_contact(Eigen::VectorXd& x);
     void remove_prescribed(std::vector<double>& rhs);
 
-    std::string equation_;
+    std::string name_;  ///< "momentum", "heat"
     fem::BlockMatrix matrix_;
     model::Prescribed prescribed_;
     model::FacetTerm contact_;
     std::vector<double>* unknown_;
     StepSeconds seconds_;
     double factor_seconds_ = 0;
-    solve::CondensedSystem system_;
-    solve::Newton newton_;
+    std::unique_ptr<solve::StepProblem> problem_;
 };
 
 }  // namespace thermocontact::march

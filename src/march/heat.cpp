@@ -41,7 +41,7 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double k,
 }  // namespace
 
 Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
-           const fem::NodeGraph& graph, solve::InteriorOrders& orders, const model::ContactSurfaces& surfaces,
+           const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
            const State& state, double k, const std::vector<model::Source>& sources)
     : step_(k),
       capacity_density_(scene.heat->capacity),
@@ -58,10 +58,10 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
     }
     const std::vector<double>& displacement = scene.material ? state.displacement : no_displacement_;
     balance_ = std::make_unique<Balance>(
-        "heat balance", scene.solver, system_matrix(graph, k, capacity_, conduction_),
+        "heat", scene.solver, system_matrix(graph, k, capacity_, conduction_),
         model::Prescribed::temperature(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::conductance),
-        contact_term(scene, mesh, space, surfaces, displacement, trial_), space, orders, trial_);
+        contact_term(scene, mesh, space, surfaces, displacement, trial_), space, strategy, trial_);
     for (auto* products : {&stored_, &new_stored_, &conducted_, &outflow_, &strain_source_}) {
         products->resize(trial_.size());
     }

@@ -19,7 +19,7 @@ class Heat {
     /// forms read the displacement of `state`, which must keep its address. Throws NumericsError where the
     /// system is singular.
     Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
-         const fem::NodeGraph& graph, solve::InteriorOrders& orders, const model::ContactSurfaces& surfaces,
+         const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
          const State& state, double k, const std::vector<model::Source>& sources);
 
     /// From theta_{n-1} to theta_n at `time`; the displacement of `state` is already the new one. The

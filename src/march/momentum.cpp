@@ -49,7 +49,7 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, doubl
 }  // namespace
 
 Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
-                   const fem::NodeGraph& graph, solve::InteriorOrders& orders,
+                   const fem::NodeGraph& graph, solve::Strategy& strategy,
                    const model::ContactSurfaces& surfaces, const State& initial, double k,
                    const std::vector<model::Source>& sources)
     : dimension_(scene.dimension),
@@ -67,10 +67,10 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
     velocity_gram_ = assemble.when(!density_, "norms.velocity", d, d);
     strain_gram_ = assemble("norms.strains", d, d);
     balance_ = std::make_unique<Balance>(
-        "momentum balance", scene.solver, system_matrix(graph, d, k, mass_, damping_, stiffness_),
+        "momentum", scene.solver, system_matrix(graph, d, k, mass_, damping_, stiffness_),
         model::Prescribed::displacement(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::compliance),
-        contact_term(mesh, space, d, surfaces, old_displacement_, trial_, k), space, orders, trial_);
+        contact_term(mesh, space, d, surfaces, old_displacement_, trial_, k), space, strategy, trial_);
     for (auto* compressible : {&mass_, &velocity_gram_}) {
         if (*compressible) {
             (*compressible)->compress();

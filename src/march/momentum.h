@@ -18,9 +18,8 @@ class Momentum {
     /// Assembles and factors for the step size k (s); `sources` are loads beside the scene's. Throws
     /// NumericsError where the system is singular.
     Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
-             const fem::NodeGraph& graph, solve::InteriorOrders& orders,
-             const model::ContactSurfaces& surfaces, const State& initial, double k,
-             const std::vector<model::Source>& sources);
+             const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
+             const State& initial, double k, const std::vector<model::Source>& sources);
 
     /// From the state at t_{n-1} to u_n and w_n at `time`; the temperature of `state` is the old one. The
     /// state changes only if the solve succeeds. Throws NumericsError.

@@ -6,6 +6,7 @@
 #include "error.h"
 #include "model/nodal.h"
 #include "number.h"
+#include "solve/condensed_problem.h"
 
 namespace thermocontact::march {
 
@@ -17,13 +18,13 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources)
       surfaces_(model::make_contact_surfaces(scene, mesh_, space_)) {
     initialise();
     const double k = scene.time.end / scene.time.steps;
-    solve::InteriorOrders orders(graph_);
+    solve::Condensed strategy(graph_);
     if (scene.material) {
-        momentum_.emplace(scene, mesh_, space_, graph_, orders, surfaces_, state_, k, sources.mechanical);
+        momentum_.emplace(scene, mesh_, space_, graph_, strategy, surfaces_, state_, k, sources.mechanical);
         factor_seconds_ += momentum_->balance().factor_seconds();
     }
     if (scene.heat) {
-        heat_.emplace(scene, mesh_, space_, graph_, orders, surfaces_, state_, k, sources.thermal);
+        heat_.emplace(scene, mesh_, space_, graph_, strategy, surfaces_, state_, k, sources.thermal);
         factor_seconds_ += heat_->balance().factor_seconds();
     }
     const model::ContactState contact{scene.material ? &state_.displacement : &no_motion_,

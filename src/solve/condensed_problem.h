@@ -1,0 +1,40 @@
+/// Strategy "condensed" (MODEL.md, 5): one Cholesky factor with the contact unknowns last, dense Newton on
+/// them.
+#pragma once
+
+#include "solve/condensed_system.h"
+#include "solve/step_problem.h"
+
+namespace thermocontact::solve {
+
+class CondensedProblem : public StepProblem {
+  public:
+    CondensedProblem(const StepProblemInput& input, std::span<const std::int32_t> interior)
+        : system_(input.matrix, input.fixed, input.contact_nodes, interior), newton_(input.newton) {}
+
+    const std::vector<std::int32_t>& contact_dofs() const override { return system_.contact_dofs(); }
+    Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) override;
+    NewtonResult solve(NonlinearTerm& F, Eigen::VectorXd& x) override;
+    double largest_without_contact() override;
+    void finish(const Eigen::VectorXd& x, std::vector<double>& solution) override {
+        system_.expand(x, solution);
+    }
+    std::int64_t factor_entries() const override { return system_.factor_entries(); }
+
+  private:
+    CondensedSystem system_;
+    Newton newton_;
+    Eigen::VectorXd rhs_;  ///< condensed
+};
+
+class Condensed : public Strategy {
+  public:
+    explicit Condensed(const fem::NodeGraph& graph) : orders_(graph) {}
+    std::string name() const override { return "condensed"; }
+    std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) override;
+
+  private:
+    InteriorOrders orders_;
+};
+
+}  // namespace thermocontact::solve

@@ -1,0 +1,61 @@
+/// The nonlinear problem of one balance in one step, A x + F(x) = r with A constant from step to step, and
+/// what the strategies that solve it have in common.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fem/block_matrix.h"
+#include "solve/newton.h"
+
+namespace thermocontact::solve {
+
+class StepProblem {
+  public:
+    virtual ~StepProblem() = default;
+
+    /// Unknowns that F depends on, in the order in which F takes them; dofs of this process.
+    virtual const std::vector<std::int32_t>& contact_dofs() const = 0;
+
+    /// Takes the right-hand side r [dofs] and turns the start value [dofs] into the iterate that the others
+    /// work on (its entries are the strategy's own). What processes hold of r at the nodes they share adds
+    /// up.
+    virtual Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) = 0;
+
+    /// From the start value in x to the solution; without contact there is nothing to iterate.
+    virtual NewtonResult solve(NonlinearTerm& F, Eigen::VectorXd& x) = 0;
+
+    /// The largest entry of the solution without F: a bound of what friction meets.
+    virtual double largest_without_contact() = 0;
+
+    /// Writes the solution into all dofs that are not fixed.
+    virtual void finish(const Eigen::VectorXd& x, std::vector<double>& solution) = 0;
+
+    /// Numbers in the factors, where there are any.
+    virtual std::int64_t factor_entries() const { return 0; }
+};
+
+/// What a strategy is told of a balance.
+struct StepProblemInput {
+    std::string name;  ///< "momentum" or "heat": the prefix of PETSc's options
+    const fem::BlockMatrix& matrix;
+    const std::vector<char>& fixed;          ///< [dofs]: 1 where a value is prescribed
+    const std::vector<char>& contact_nodes;  ///< [nodes]: 1 where F acts
+    bool symmetric;                          ///< whether F's derivative is
+    NewtonOptions newton;
+};
+
+/// A way to solve the steps' problems; it makes one object for each balance of a simulation. The objects
+/// refer to the matrix.
+class Strategy {
+  public:
+    virtual ~Strategy() = default;
+    virtual std::string name() const = 0;
+
+    /// Throws NotPositiveDefinite with the dof where the system shows that it is singular.
+    virtual std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) = 0;
+};
+
+}  // namespace thermocontact::solve

@@ -162,10 +162,8 @@ Command command_of(const Parser& parser) {
 }  // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
-    const char* const* end = argv + argc;
-    if (std::find(argv, end, std::string_view("--")) != end) {
-        throw SceneError("options of PETSc behind \"--\" are not supported in this version; leave them out");
-    }
+    // what follows "--" is PETSc's
+    argc = static_cast<int>(std::find(argv, argv + argc, std::string_view("--")) - argv);
     Parser parser;
     try {
         parser.app.parse(argc, argv);

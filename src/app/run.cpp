@@ -22,54 +22,46 @@ void catch_signal(int signal) {
     caught_signal = signal;
 }
 
-/// Processes that mpirun started for this run (Open MPI, MPICH and their kin say so in the environment).
-int process_count() {
-    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-        if (const char* value = std::getenv(name); value != nullptr) {
-            return std::max(1, std::atoi(value));
-        }
-    }
-    return 1;
-}
-
 /// Marches until the end or a signal.
 void march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress,
-              output::Seconds& seconds) {
-    while (!simulation.finished() && caught_signal == 0) {
+              output::Seconds& seconds, int& signal) {
+    while (!simulation.finished() && signal == 0) {
         timed(seconds.steps, [&] { simulation.advance(); });
-        timed(seconds.output, [&] {
-            results.add_step();
-            progress.step(simulation);
-        });
-    }
-}
-
-void refuse_several_processes() {
-    if (const int count = process_count(); count > 1) {
-        throw SceneError("mpirun started " + std::to_string(count) +
-                         " processes, but this version runs on one: start it without mpirun");
+        timed(seconds.output, [&] { progress.step(simulation, results.add_step()); });
+        signal =
+            static_cast<int>(simulation.team().max(caught_signal));  // processes catch it at different steps
     }
 }
 
 /// Assembles and factors; a scene that cannot be factored leaves a summary that says so.
-std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const std::filesystem::path& folder) {
-    output::make_folder(folder);  // first: a folder that cannot be written to would waste the work
+std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const std::filesystem::path& folder,
+                                           const parallel::Backend* backend) {
+    const bool first = backend == nullptr || backend->team().rank() == 0;
+    if (first) {
+        output::make_folder(
+            folder);  // before all else: a folder that cannot be written to would waste the work
+    }
     try {
-        return std::make_unique<march::Simulation>(scene);
+        return std::make_unique<march::Simulation>(scene, model::Sources{}, backend);
     } catch (const NumericsError& error) {
-        output::write_setup_failure(folder, scene, error.what());
+        if (first) {
+            output::write_setup_failure(folder, scene, error.what());
+        }
         throw;
     }
 }
 
 }  // namespace
 
-int run(const RunCommand& command) {
+int run(const RunCommand& command, const parallel::Backend* backend) {
     const Stopwatch total;
-    refuse_several_processes();
     const scene::Scene scene = scene::read_scene(command.scene, command.overrides);
-    output::Progress progress(scene, command.quiet);
-    const auto simulation = prepare(scene, command.output);
+    if (backend == nullptr && scene.solver.strategy == "newton-krylov") {
+        parallel::continue_with_petsc();
+    }
+    const bool speaks = backend == nullptr || backend->team().rank() == 0;
+    output::Progress progress(scene, command.quiet || !speaks);
+    const auto simulation = prepare(scene, command.output, backend);
     output::Seconds seconds;
     seconds.factor = simulation->factor_seconds();
     seconds.setup = total.seconds() - seconds.factor;
@@ -84,17 +76,21 @@ int run(const RunCommand& command) {
         seconds.total = total.seconds();
         results.finish(status, reason, seconds);
     };
+    int signal = 0;
     try {
-        march_on(*simulation, results, progress, seconds);
+        march_on(*simulation, results, progress, seconds, signal);
     } catch (const NumericsError& error) {
         finish("failed", error.what());
         throw;
     }
     if (!simulation->finished()) {
-        finish("interrupted", "signal " + std::to_string(caught_signal));
+        finish("interrupted", "signal " + std::to_string(signal));
+        if (!speaks) {
+            return exit_of_signal(signal);
+        }
         std::cerr << "thermocontact: interrupted after step " << simulation->state().step
                   << "; results so far in " << command.output.string() << "\n";
-        return exit_of_signal(caught_signal);
+        return exit_of_signal(signal);
     }
     finish("completed", "");
     progress.line("results   " + command.output.string());

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "app/command_line.h"
+#include "parallel/backend.h"
 
 namespace thermocontact::app {
 
 /// `thermocontact run`: marches the scene and writes its results.
-int run(const RunCommand& command);
+/// `backend`: null where the process is alone and needs no PETSc so far.
+int run(const RunCommand& command, const parallel::Backend* backend);
 
 }  // namespace thermocontact::app

@@ -75,8 +75,8 @@ SolveReport Balance::solve(std::vector<double>& rhs) {
     remove_prescribed(rhs);
     Eigen::VectorXd x = timed(seconds_.triangular_solves, [&] { return problem_->begin(rhs, *unknown_); });
     const SolveReport report = timed(seconds_.newton, [&] { return solve_contact(x); });
-    timed(seconds_.triangular_solves, [&] { problem_->finish(x, *unknown_); });
-    if (!as_eigen(*unknown_).allFinite()) {
+    const bool finite = timed(seconds_.triangular_solves, [&] { return problem_->finish(x, *unknown_); });
+    if (!finite) {
         throw NumericsError(name_ +
                             " balance: the solution is not finite; scale the data, or use more time.steps");
     }
@@ -99,8 +99,7 @@ SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
     };
     // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear
     x = start;
-    const double fastest =
-        std::max(problem_->largest_without_contact(), start.size() > 0 ? start.cwiseAbs().maxCoeff() : 0.0);
+    const double fastest = problem_->largest_unknown(start);
     const solve::ContinuationResult ladder = solve::continue_regularisation(rung, fastest, target, x);
     contact_.raise_regularisation(0);
     if (ladder.newton.end != solve::NewtonEnd::converged) {

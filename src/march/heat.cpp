@@ -43,7 +43,8 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double k,
 Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
            const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
            const State& state, double k, const std::vector<model::Source>& sources)
-    : step_(k),
+    : team_(&strategy.team()),
+      step_(k),
       capacity_density_(scene.heat->capacity),
       loads_(model::Loads::thermal(scene, mesh, space, sources)),
       trial_(state.temperature) {
@@ -94,23 +95,28 @@ void Heat::audit(const std::vector<double>& load) {
                                      as_eigen(std::as_const(outflow_)) - as_eigen(load) -
                                      as_eigen(std::as_const(strain_source_));
     const auto strain = as_eigen(std::as_const(strain_source_)), flow = as_eigen(std::as_const(outflow_));
-    // the magnitude of what is summed: inflow on one side and outflow on the other still count
-    double scale = storage.lpNorm<1>() + flow.lpNorm<1>() + as_eigen(load).lpNorm<1>() + strain.lpNorm<1>();
-    double reaction = 0;
+    struct Sums {  // scale: the magnitude of what is summed, as inflow on one side and outflow on the other
+                   // still count
+        double storage, outflow, reaction, load, strain, scale;
+    };
+    Sums here{storage.sum(),
+              flow.sum(),
+              0,
+              as_eigen(load).sum(),
+              strain.sum(),
+              storage.lpNorm<1>() + flow.lpNorm<1>() + as_eigen(load).lpNorm<1>() + strain.lpNorm<1>()};
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
-        reaction += residual[dof];
-        scale += std::abs(residual[dof]);
+        here.reaction += residual[dof];
+        here.scale += std::abs(residual[dof]);
     }
-    const Record terms{{"heat_storage_rate", storage.sum()},
-                       {"contact_heat_outflow", flow.sum()},
-                       {"prescribed_temperature_inflow", reaction},
-                       {"load_heat_inflow", as_eigen(load).sum()},
-                       {"strain_heat_inflow", strain.sum()}};
-    double sum = 0;
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-        sum += (i < 2 ? 1.0 : -1.0) * terms[i].second;
-    }
-    heat_residual_ = scale > 0 ? std::abs(sum) / scale : 0.0;
+    const Sums sums = team_->summed(here);
+    const Record terms{{"heat_storage_rate", sums.storage},
+                       {"contact_heat_outflow", sums.outflow},
+                       {"prescribed_temperature_inflow", sums.reaction},
+                       {"load_heat_inflow", sums.load},
+                       {"strain_heat_inflow", sums.strain}};
+    const double sum = sums.storage + sums.outflow - sums.reaction - sums.load - sums.strain;
+    heat_residual_ = sums.scale > 0 ? std::abs(sum) / sums.scale : 0.0;
     record_ = {{"temperature_l2", capacity_ ? norm(trial_, new_stored_) : temperature_norm(trial_)}};
     record_.insert(record_.end(), terms.begin(), terms.end());
     record_.emplace_back("heat_residual", heat_residual_);
@@ -121,7 +127,8 @@ double Heat::temperature_norm(const std::vector<double>& theta) const {
 }
 
 double Heat::norm(const std::vector<double>& theta, const std::vector<double>& product) const {
-    const double square = as_eigen(theta).dot(as_eigen(product)) / capacity_density_.value_or(1.0);
+    const double square =
+        team_->sum(as_eigen(theta).dot(as_eigen(product))) / capacity_density_.value_or(1.0);
     return std::sqrt(std::max(0.0, square));
 }
 

@@ -10,6 +10,7 @@
 
 #include "march/balance.h"
 #include "model/loads.h"
+#include "parallel/team.h"
 
 namespace thermocontact::march {
 
@@ -45,6 +46,7 @@ class Heat {
     /// capacity, with the Gram matrix itself.
     double norm(const std::vector<double>& theta, const std::vector<double>& product) const;
 
+    const parallel::Team* team_;
     double step_;
     std::optional<double> capacity_density_;  ///< c
     std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_;

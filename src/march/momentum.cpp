@@ -52,7 +52,8 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
                    const fem::NodeGraph& graph, solve::Strategy& strategy,
                    const model::ContactSurfaces& surfaces, const State& initial, double k,
                    const std::vector<model::Source>& sources)
-    : dimension_(scene.dimension),
+    : team_(&strategy.team()),
+      dimension_(scene.dimension),
       step_(k),
       density_(scene.material->density),
       loads_(model::Loads::mechanical(scene, mesh, space, sources)),
@@ -141,7 +142,7 @@ MomentumForces Momentum::collect_forces(const std::vector<double>& load) {
 }
 
 Energies Momentum::energies(const State& old, const std::vector<double>& new_u) {
-    Energies sums;
+    Energies sums;  // at shared nodes each process holds a part of M w and K u, so that the sums add up
     for (std::size_t i = 0; i < trial_.size(); ++i) {
         const double mass_change = now_.mass_w[i] - old_.mass_w[i],
                      stiffness_change = now_.stiffness_u[i] - old_.stiffness_u[i];
@@ -157,14 +158,14 @@ Energies Momentum::energies(const State& old, const std::vector<double>& new_u) 
                                   &Energies::strain_old, &Energies::strain, &Energies::strain_numerical}) {
         sums.*sum /= 2;
     }
-    return sums;
+    return team_->summed(sums);
 }
 
 void Momentum::audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u) {
     apply(trial_, new_u, now_);
     const Energies energy_terms = energies(old, new_u);
     const MomentumForces forces = collect_forces(load);
-    const MomentumSums sums = sum_up(forces, as_eigen(std::as_const(trial_)), dimension_);
+    const MomentumSums sums = team_->summed(sum_up(forces, as_eigen(std::as_const(trial_)), dimension_));
     const Audit energy = audit_energy(energy_terms, sums, step_);
     const Audit force = audit_forces(sums, dimension_);
     std::swap(old_, now_);
@@ -172,9 +173,7 @@ void Momentum::audit(const std::vector<double>& load, const State& old, const st
     force_residual_ = force.residual;
     // |w|^2 = 2 KE / rho spares a product, the deformation of apply() another pass
     const double speed = density_ ? std::sqrt(2 * energy_terms.kinetic / *density_) : velocity_norm(trial_);
-    record_ = {
-        {"velocity_l2", speed},
-        {"displacement_strain_l2", std::sqrt(std::max(0.0, strain_gram_.quadratic_form(deformation_)))}};
+    record_ = {{"velocity_l2", speed}, {"displacement_strain_l2", norm(strain_gram_, deformation_)}};
     record_.insert(record_.end(), energy.terms.begin(), energy.terms.end());
     record_.emplace_back("energy_residual", energy_residual_);
     record_.insert(record_.end(), force.terms.begin(), force.terms.end());
@@ -183,12 +182,16 @@ void Momentum::audit(const std::vector<double>& load, const State& old, const st
 
 double Momentum::velocity_norm(const std::vector<double>& w) const {
     const fem::BlockMatrix& gram = mass_ ? *mass_ : *velocity_gram_;
-    return std::sqrt(std::max(0.0, gram.quadratic_form(w)) / density_.value_or(1.0));
+    return norm(gram, w) / std::sqrt(density_.value_or(1.0));
 }
 
 double Momentum::strain_norm(std::vector<double> u) const {
     centre(u, dimension_);
-    return std::sqrt(std::max(0.0, strain_gram_.quadratic_form(u)));
+    return norm(strain_gram_, u);
+}
+
+double Momentum::norm(const fem::BlockMatrix& gram, const std::vector<double>& v) const {
+    return std::sqrt(std::max(0.0, team_->sum(gram.quadratic_form(v))));
 }
 
 StepSeconds Momentum::seconds() const {

@@ -10,6 +10,7 @@
 #include "march/balance.h"
 #include "march/momentum_audit.h"
 #include "model/loads.h"
+#include "parallel/team.h"
 
 namespace thermocontact::march {
 
@@ -52,9 +53,11 @@ class Momentum {
 
     void set_right_hand_side(const std::vector<double>& load);
     MomentumForces collect_forces(const std::vector<double>& load);
+    double norm(const fem::BlockMatrix& gram, const std::vector<double>& v) const;
     Energies energies(const State& old, const std::vector<double>& new_u);  ///< fills the inertia, too
     void audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u);
 
+    const parallel::Team* team_;
     int dimension_;
     double step_;
     std::optional<double> density_;

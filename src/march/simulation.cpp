@@ -10,45 +10,73 @@
 
 namespace thermocontact::march {
 
-Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources)
+namespace {
+
+parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend) {
+    mesh::Mesh mesh = mesh::make_rectangle(scene.mesh);
+    fem::Space space = fem::make_space(mesh, scene.degree);
+    const int processes = backend != nullptr ? backend->team().size() : 1;
+    return parallel::take_part(std::move(mesh), std::move(space), processes,
+                               backend != nullptr ? backend->team().rank() : 0);
+}
+
+std::unique_ptr<solve::Strategy> choose(const scene::Scene& scene, const fem::NodeGraph& graph,
+                                        const parallel::Part& part, const parallel::Backend* backend) {
+    const bool several = backend != nullptr && backend->team().size() > 1;
+    if (several && scene.solver.strategy == "condensed") {
+        throw SceneError("solver.strategy = \"condensed\" runs on one process, and mpirun started " +
+                         std::to_string(backend->team().size()) +
+                         "; expected \"newton-krylov\" or \"auto\", or a start without mpirun");
+    }
+    if (several || scene.solver.strategy == "newton-krylov") {
+        return backend->newton_krylov(part);
+    }
+    return std::make_unique<solve::Condensed>(graph);
+}
+
+}  // namespace
+
+Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
+                       const parallel::Backend* backend)
     : scene_(&scene),
-      mesh_(mesh::make_rectangle(scene.mesh)),
-      space_(fem::make_space(mesh_, scene.degree)),
-      graph_(fem::make_node_graph(space_)),
-      surfaces_(model::make_contact_surfaces(scene, mesh_, space_)) {
+      part_(make_part(scene, backend)),
+      graph_(fem::make_node_graph(part_.space)),
+      strategy_(choose(scene, graph_, part_, backend)),
+      surfaces_(model::make_contact_surfaces(scene, part_.mesh, part_.space)) {
     initialise();
     const double k = scene.time.end / scene.time.steps;
-    solve::Condensed strategy(graph_);
     if (scene.material) {
-        momentum_.emplace(scene, mesh_, space_, graph_, strategy, surfaces_, state_, k, sources.mechanical);
+        momentum_.emplace(scene, part_.mesh, part_.space, graph_, *strategy_, surfaces_, state_, k,
+                          sources.mechanical);
         factor_seconds_ += momentum_->balance().factor_seconds();
     }
     if (scene.heat) {
-        heat_.emplace(scene, mesh_, space_, graph_, strategy, surfaces_, state_, k, sources.thermal);
+        heat_.emplace(scene, part_.mesh, part_.space, graph_, *strategy_, surfaces_, state_, k,
+                      sources.thermal);
         factor_seconds_ += heat_->balance().factor_seconds();
     }
     const model::ContactState contact{scene.material ? &state_.displacement : &no_motion_,
                                       scene.material ? &state_.velocity : &no_motion_, &state_.temperature};
     for (const auto& surface : surfaces_) {
-        probes_.push_back(
-            std::make_unique<model::ContactProbe>(*surface, mesh_, space_, scene.dimension, contact));
+        probes_.push_back(std::make_unique<model::ContactProbe>(*surface, part_.mesh, part_.space,
+                                                                scene.dimension, contact));
     }
 }
 
 void Simulation::initialise() {
     const int d = scene_->dimension;
     if (scene_->material) {
-        state_.displacement = model::interpolate(space_, scene_->initial.displacement, d, 0.0);
-        state_.velocity = model::interpolate(space_, scene_->initial.velocity, d, 0.0);
+        state_.displacement = model::interpolate(part_.space, scene_->initial.displacement, d, 0.0);
+        state_.velocity = model::interpolate(part_.space, scene_->initial.velocity, d, 0.0);
     } else {
-        no_motion_.assign(space_.nodes.size() * static_cast<std::size_t>(d), 0.0);
+        no_motion_.assign(part_.space.nodes.size() * static_cast<std::size_t>(d), 0.0);
     }
     if (scene_->heat) {
         std::vector<scene::Expression> temperature;
         if (scene_->initial.temperature) {
             temperature.push_back(*scene_->initial.temperature);
         }
-        state_.temperature = model::interpolate(space_, temperature, 1, 0.0);
+        state_.temperature = model::interpolate(part_.space, temperature, 1, 0.0);
     }
 }
 
@@ -58,7 +86,7 @@ void Simulation::advance() {
     const State before = state_;
     SolveReport momentum, heat;
     try {
-        model::update(surfaces_, space_, time);
+        model::update(surfaces_, part_.space, time);
         if (momentum_) {
             momentum = momentum_->advance(time, state_);
         }
@@ -82,7 +110,7 @@ void Simulation::restore(const State& before) {
     if (momentum_) {
         momentum_->restart(state_);
     }
-    model::update(surfaces_, space_, before.time);
+    model::update(surfaces_, part_.space, before.time);
 }
 
 void Simulation::count_step() {
@@ -126,7 +154,7 @@ std::size_t Simulation::contact_unknowns() const {
 std::map<std::string, model::ContactMeasures> Simulation::contact_measures() {
     std::map<std::string, model::ContactMeasures> result;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        result[surfaces_[i]->name] = probes_[i]->measure();
+        result[surfaces_[i]->name] = probes_[i]->measure(team());
     }
     return result;
 }

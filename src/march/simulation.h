@@ -9,6 +9,7 @@
 #include "march/heat.h"
 #include "march/momentum.h"
 #include "model/contact_measures.h"
+#include "parallel/backend.h"
 
 namespace thermocontact::march {
 
@@ -24,7 +25,8 @@ class Simulation {
   public:
     /// Mesh, space, operators, factors, initial state; `sources` are loads beside those of the scene. Keeps a
     /// reference to the scene. Throws NumericsError where a system is singular, std::bad_alloc.
-    explicit Simulation(const scene::Scene& scene, const model::Sources& sources = {});
+    explicit Simulation(const scene::Scene& scene, const model::Sources& sources = {},
+                        const parallel::Backend* backend = nullptr);
 
     /// One step of the scheme. The state changes only if the step succeeds; throws NumericsError otherwise.
     void advance();
@@ -32,8 +34,14 @@ class Simulation {
     bool finished() const { return state_.step == scene_->time.steps; }
 
     const State& state() const { return state_; }
-    const mesh::Mesh& mesh() const { return mesh_; }
-    const fem::Space& space() const { return space_; }
+
+    /// What this process has of mesh and space; all of it where it is alone.
+    const mesh::Mesh& mesh() const { return part_.mesh; }
+    const fem::Space& space() const { return part_.space; }
+    const parallel::Part& part() const { return part_; }
+
+    const parallel::Team& team() const { return strategy_->team(); }
+    const solve::Strategy& strategy() const { return *strategy_; }
     const model::ContactSurfaces& surfaces() const { return surfaces_; }
     model::ContactProbe& probe(std::size_t surface) { return *probes_[surface]; }
     const Totals& totals() const { return totals_; }
@@ -65,9 +73,9 @@ class Simulation {
     void count_step();
 
     const scene::Scene* scene_;
-    mesh::Mesh mesh_;
-    fem::Space space_;
+    parallel::Part part_;
     fem::NodeGraph graph_;
+    std::unique_ptr<solve::Strategy> strategy_;
     model::ContactSurfaces surfaces_;
     State state_;
     std::vector<double> no_motion_;  ///< displacement and velocity of a scene without mechanics

@@ -44,41 +44,53 @@ void ContactProbe::add(const std::string& name, const mesh::Mesh& mesh, const fe
     forms_[name] = std::make_unique<fem::Form>(std::move(kernel), mesh, constants, fields, surface_->rule);
 }
 
-double ContactProbe::resultant(const std::string& name, int components) {
-    std::vector<double> sum(static_cast<std::size_t>(components), 0.0);
-    std::vector<double> tensor(static_cast<std::size_t>(space_->dofmap.nodes_per_cell * components));
+std::array<double, 3> ContactProbe::resultant(const std::string& name, std::size_t components) {
+    std::array<double, 3> sum{};
+    std::vector<double> tensor(static_cast<std::size_t>(space_->dofmap.nodes_per_cell) * components);
     for (const mesh::Facet& facet : surface_->facets) {
         std::ranges::fill(tensor, 0.0);
         form(name).add_facet(facet, tensor);
         for (std::size_t i = 0; i < tensor.size(); ++i) {
-            sum[i % sum.size()] += tensor[i];
+            sum[i % components] += tensor[i];
         }
     }
-    double squares = 0;
-    for (const double value : sum) {
-        squares += value * value;
-    }
-    return components == 1 ? sum[0] : std::sqrt(squares);
+    return sum;
 }
 
-ContactMeasures ContactProbe::measure() {
-    ContactMeasures result;
-    result.area = fem::integrate(form("kinematics.area"), surface_->facets);
-    result.contact_fraction = fem::integrate(form("kinematics.closed_area"), surface_->facets) / result.area;
-    result.slip_fraction = fem::integrate(form("kinematics.slip_area"), surface_->facets) / result.area;
+ContactMeasures ContactProbe::measure(const parallel::Team& team) {
+    struct Sums {
+        double area, closed, slipping, normal, heat;
+        std::array<double, 3> tangential;
+    };
+    const auto integral = [&](const char* name) { return fem::integrate(form(name), surface_->facets); };
+    Sums here{integral("kinematics.area"),
+              integral("kinematics.closed_area"),
+              integral("kinematics.slip_area"),
+              0,
+              0,
+              {}};
+    double deepest = 0;
     for (const double gap : at_nodes("kinematics.gap", 1)) {
-        result.max_penetration = std::max(result.max_penetration, -gap);
+        deepest = std::max(deepest, -gap);
     }
     if (surface_->laws.compliance) {
-        result.normal_force = fem::integrate(form("compliance.normal_force"), surface_->facets);
+        here.normal = integral("compliance.normal_force");
     }
     if (surface_->laws.friction) {
-        result.tangential_force = resultant("friction.residual", dimension_);
+        here.tangential = resultant("friction.residual", static_cast<std::size_t>(dimension_));
     }
     if (surface_->laws.conductance) {
-        result.heat_flow = resultant("conductance.residual", 1);
+        here.heat = resultant("conductance.residual", 1)[0];
     }
-    return result;
+    const Sums all = team.summed(here);
+    const auto& t = all.tangential;
+    return {all.normal,
+            std::sqrt(t[0] * t[0] + t[1] * t[1] + t[2] * t[2]),
+            team.max(deepest),
+            all.closed / all.area,
+            all.slipping / all.area,
+            all.heat,
+            all.area};
 }
 
 std::vector<double> ContactProbe::at_nodes(const std::string& name, int components) {

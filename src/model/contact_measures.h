@@ -1,6 +1,7 @@
 /// What happens on a contact surface: resultants, shares, and fields at the nodes of its facets.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "fem/form.h"
 #include "model/contact_surface.h"
+#include "parallel/team.h"
 
 namespace thermocontact::model {
 
@@ -37,7 +39,8 @@ class ContactProbe {
     ContactProbe(const ContactSurface& surface, const mesh::Mesh& mesh, const fem::Space& space,
                  int dimension, const ContactState& state);
 
-    ContactMeasures measure();
+    /// Over all facets of the surface, those of other processes included.
+    ContactMeasures measure(const parallel::Team& team);
 
     /// gap (m), slip_velocity (m/s), and, where the laws are present, pressure (Pa), traction (Pa), heat_flow
     /// (W/m^2).
@@ -48,7 +51,8 @@ class ContactProbe {
     void add(const std::string& name, const mesh::Mesh& mesh, const fem::Constants& constants,
              const fem::Fields& fields);
     std::vector<double> at_nodes(const std::string& name, int components);
-    double resultant(const std::string& name, int components);
+    /// Sum over the facets and their nodes [components].
+    std::array<double, 3> resultant(const std::string& name, std::size_t components);
 
     const ContactSurface* surface_;
     const fem::Space* space_;

@@ -80,21 +80,14 @@ void FacetTerm::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) {
     }
 }
 
-void FacetTerm::add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) {
+void FacetTerm::visit_derivative(const Eigen::VectorXd& x, const Piece& visit) {
     scatter(x);
     for (const Law& law : laws_) {
         for (const mesh::Facet& facet : *law.facets) {
             unknowns_of(facet);
-            const std::size_t n = local_.size();
-            tensor_.assign(n * n, 0.0);
+            tensor_.assign(local_.size() * local_.size(), 0.0);
             law.jacobian->add_facet(facet, tensor_);
-            for (std::size_t i = 0; i < n; ++i) {
-                for (std::size_t j = 0; j < n; ++j) {
-                    if (local_[i] >= 0 && local_[j] >= 0) {
-                        matrix(local_[i], local_[j]) += tensor_[i * n + j];
-                    }
-                }
-            }
+            visit(local_, tensor_);
         }
     }
 }

@@ -33,7 +33,7 @@ class FacetTerm : public solve::NonlinearTerm {
     bool empty() const { return laws_.empty(); }
 
     void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override;
-    void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) override;
+    void visit_derivative(const Eigen::VectorXd& x, const Piece& visit) override;
 
     /// Forces of one law ("compliance") at the current unknown into `forces` [nodes][components], prescribed
     /// dofs included. Writes only on the law's surfaces: elsewhere `forces` is zero already.

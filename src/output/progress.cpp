@@ -48,22 +48,24 @@ void Progress::header(const march::Simulation& simulation) const {
     for (const std::string& name : model::physics_of(*scene_)) {
         physics += (physics.empty() ? "" : ", ") + name;
     }
-    const march::State& state = simulation.state();
+    const parallel::Part& part = simulation.part();
+    const auto nodes = std::int64_t{part.numbers.first.back()};
     std::cerr << "thermocontact " << version_text() << "\n";
     if (!scene_->title.empty()) {
         std::cerr << "scene     " << scene_->title << "\n";
     }
-    std::cerr << "mesh      " << simulation.mesh().cell_count() << " cells, "
-              << simulation.mesh().points.size() << " vertices, degree " << scene_->degree << "\n"
-              << "unknowns  " << state.displacement.size() << " displacement, " << state.temperature.size()
-              << " temperature\n"
+    std::cerr << "mesh      " << part.cells << " cells, " << part.vertices << " vertices, degree "
+              << scene_->degree << "\n"
+              << "unknowns  " << (scene_->material ? nodes * scene_->dimension : 0) << " displacement, "
+              << (scene_->heat ? nodes : 0) << " temperature\n"
               << "physics   " << physics << "\n"
               << "time      " << scene_->time.steps << " steps to t = " << short_text(scene_->time.end)
               << ", " << scene_->time.scheme << "\n"
-              << "solver    condensed: " << strategy_reason(*scene_, simulation) << "\n";
+              << "solver    " << simulation.strategy().name() << ": " << strategy_reason(*scene_, simulation)
+              << "\n";
 }
 
-void Progress::step(march::Simulation& simulation) {
+void Progress::step(const march::Simulation& simulation, const march::Record& record) {
     const double now = total_.seconds();
     const double interval = terminal_ ? terminal_interval : log_interval;
     if (quiet_ || (now - last_shown_ < interval && !simulation.finished())) {
@@ -72,7 +74,6 @@ void Progress::step(march::Simulation& simulation) {
     last_shown_ = now;
     const march::State& state = simulation.state();
     const double share = static_cast<double>(state.step) / scene_->time.steps;
-    const march::Record record = simulation.record();
     std::string text =
         "step " + std::to_string(state.step) + "/" + std::to_string(scene_->time.steps) +
         "  t = " + short_text(state.time) + "  Newton " +

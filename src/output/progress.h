@@ -15,7 +15,8 @@ class Progress {
     Progress(const scene::Scene& scene, bool quiet);
 
     void header(const march::Simulation& simulation) const;
-    void step(march::Simulation& simulation);
+    /// `record`: the step's row of the history.
+    void step(const march::Simulation& simulation, const march::Record& record);
     void line(const std::string& text) const;
 
   private:

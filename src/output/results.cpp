@@ -12,10 +12,15 @@
 namespace thermocontact::output {
 namespace {
 
-std::string numbered(const char* stem, int step) {
-    std::array<char, 64> name{};
-    std::snprintf(name.data(), name.size(), "fields/%s_%06d.vtu", stem, step);
-    return name.data();
+/// "fields/body_000007.vtu", "fields/body_000007_p3.vtu" for the piece of process 3.
+std::string numbered(const std::string& stem, int step, const std::string& extension) {
+    std::array<char, 16> number{};
+    std::snprintf(number.data(), number.size(), "_%06d", step);
+    return "fields/" + stem + number.data() + extension;
+}
+
+std::string piece(int rank) {
+    return "_p" + std::to_string(rank) + ".vtu";
 }
 
 void write_row(std::ofstream& file, const march::Record& record, bool names) {
@@ -33,7 +38,7 @@ void clear(const std::filesystem::path& folder) {
         std::filesystem::remove(folder / file, ignored);
     }
     for (const auto& entry : std::filesystem::directory_iterator(folder / "fields", ignored)) {
-        if (entry.path().extension() == ".vtu") {
+        if (entry.path().extension() == ".vtu" || entry.path().extension() == ".pvtu") {
             std::filesystem::remove(entry.path(), ignored);
         }
     }
@@ -43,30 +48,55 @@ void clear(const std::filesystem::path& folder) {
 
 Results::Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation)
     : folder_(std::move(folder)), scene_(&scene), simulation_(&simulation), grids_(scene, simulation) {
-    make_folder(folder_);
-    clear(folder_);
-    history_.open(folder_ / "history.csv", std::ios::trunc);
-    if (!history_) {
-        throw SystemError("cannot write " + (folder_ / "history.csv").string());
+    if (first_process()) {
+        make_folder(folder_);
+        clear(folder_);
+        history_.open(folder_ / "history.csv", std::ios::trunc);
+        if (!history_) {
+            throw SystemError("cannot write " + (folder_ / "history.csv").string());
+        }
+        if (!scene.output.fields.empty()) {
+            make_folder(folder_ / "fields");
+        }
     }
-    if (!scene.output.fields.empty()) {
-        make_folder(folder_ / "fields");
-        add_fields();
-    }
+    simulation.team().sum(0);  // the others wait for the folder
+    add_fields();
 }
 
-void Results::add_step() {
-    const march::Record record = simulation_->record();
-    if (history_.tellp() == 0) {
-        write_row(history_, record, true);
-    }
-    write_row(history_, record, false);
-    if (!history_) {
-        throw SystemError("cannot write " + (folder_ / "history.csv").string() + " (disk full?)");
+march::Record Results::add_step() {
+    march::Record record = simulation_->record();
+    if (first_process()) {
+        if (history_.tellp() == 0) {
+            write_row(history_, record, true);
+        }
+        write_row(history_, record, false);
+        if (!history_) {
+            throw SystemError("cannot write " + (folder_ / "history.csv").string() + " (disk full?)");
+        }
     }
     const int step = simulation_->state().step;
     if (step % scene_->output.every == 0 || simulation_->finished()) {
         add_fields();
+    }
+    return record;
+}
+
+void Results::write_grid(const std::string& name, const VtuGrid& grid) {
+    const int step = simulation_->state().step, processes = simulation_->team().size();
+    const int part = name == "body" ? 0 : 1;
+    const std::string collected = numbered(name, step, processes == 1 ? ".vtu" : ".pvtu");
+    entries_.push_back({simulation_->state().time, part, collected});
+    if (processes == 1) {
+        write_whole(folder_ / collected, to_vtu(grid));
+        return;
+    }
+    write_whole(folder_ / numbered(name, step, piece(simulation_->team().rank())), to_vtu(grid));
+    if (first_process()) {
+        std::vector<std::string> files;
+        for (int rank = 0; rank < processes; ++rank) {
+            files.push_back(std::filesystem::path(numbered(name, step, piece(rank))).filename());
+        }
+        write_whole(folder_ / collected, to_pvtu(grid, files));
     }
 }
 
@@ -75,20 +105,21 @@ void Results::add_fields() {
     if (scene_->output.fields.empty() || last_fields_ == step) {
         return;
     }
-    const double time = simulation_->state().time;
-    entries_.push_back({time, 0, numbered("body", step)});
-    write_whole(folder_ / entries_.back().file, to_vtu(grids_.body()));
+    write_grid("body", grids_.body());
     if (grids_.has_contact()) {
-        entries_.push_back({time, 1, numbered("contact", step)});
-        write_whole(folder_ / entries_.back().file, to_vtu(grids_.contact()));
+        write_grid("contact", grids_.contact());
     }
-    write_whole(folder_ / "fields.pvd", to_pvd(entries_));
+    if (first_process()) {
+        write_whole(folder_ / "fields.pvd", to_pvd(entries_));
+    }
     last_fields_ = step;
 }
 
 void Results::finish(const std::string& status, const std::string& reason, const Seconds& seconds) {
-    write_whole(folder_ / "summary.json",
-                summary(*scene_, *simulation_, status, reason, seconds).dump(2) + "\n");
+    const nlohmann::ordered_json content = summary(*scene_, *simulation_, status, reason, seconds);
+    if (first_process()) {
+        write_whole(folder_ / "summary.json", content.dump(2) + "\n");
+    }
 }
 
 void write_setup_failure(const std::filesystem::path& folder, const scene::Scene& scene,

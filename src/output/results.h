@@ -1,4 +1,5 @@
-/// The results folder of a run (INTERFACE.md).
+/// The results folder of a run (INTERFACE.md). Of several processes each writes its pieces of the fields, the
+/// first one all else; every function is called by all of them.
 #pragma once
 
 #include <filesystem>
@@ -21,8 +22,9 @@ class Results {
     /// writable.
     Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation);
 
-    /// Appends the step's row to history.csv; writes its fields when they are due. Throws SystemError.
-    void add_step();
+    /// Appends the step's row to history.csv and returns it; writes its fields when they are due. Throws
+    /// SystemError.
+    march::Record add_step();
 
     /// Writes the fields of the current state if add_step() did not: the last step, whatever `output.every`.
     void add_fields();
@@ -32,6 +34,9 @@ class Results {
     void finish(const std::string& status, const std::string& reason, const Seconds& seconds);
 
   private:
+    bool first_process() const { return simulation_->team().rank() == 0; }
+    void write_grid(const std::string& name, const VtuGrid& grid);
+
     std::filesystem::path folder_;
     const scene::Scene* scene_;
     march::Simulation* simulation_;

@@ -38,6 +38,12 @@ std::string version_text() {
 }
 
 std::string strategy_reason(const scene::Scene& scene, const march::Simulation& simulation) {
+    if (const int processes = simulation.team().size(); processes > 1) {
+        return std::to_string(processes) + " processes";
+    }
+    if (scene.solver.strategy == "newton-krylov") {
+        return "asked for";
+    }
     const std::string unknowns = std::to_string(simulation.contact_unknowns()) + " contact unknowns";
     if (scene.solver.strategy == "condensed") {
         return "asked for; " + unknowns;
@@ -55,15 +61,16 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     }
     result["scene"] = scene.resolved;
     result["physics"] = model::physics_of(scene);
-    const auto unknowns = [](const std::vector<double>& field) { return field.size(); };
-    result["mesh"] = {{"cells", simulation.mesh().cell_count()},
-                      {"vertices", simulation.mesh().points.size()},
+    const parallel::Part& part = simulation.part();
+    const auto nodes = std::int64_t{part.numbers.first.back()};
+    result["mesh"] = {{"cells", part.cells},
+                      {"vertices", part.vertices},
                       {"unknowns",
-                       {{"displacement", unknowns(simulation.state().displacement)},
-                        {"temperature", unknowns(simulation.state().temperature)}}}};
-    result["solver"] = {{"strategy", "condensed"},
+                       {{"displacement", scene.material ? nodes * scene.dimension : 0},
+                        {"temperature", scene.heat ? nodes : 0}}}};
+    result["solver"] = {{"strategy", simulation.strategy().name()},
                         {"why", strategy_reason(scene, simulation)},
-                        {"processes", 1},
+                        {"processes", simulation.team().size()},
                         {"factor_entries", simulation.factor_entries()},
                         {"contact_unknowns", simulation.contact_unknowns()}};
     result["steps"] = simulation.state().step;

@@ -56,7 +56,38 @@ std::string data_section(const char* tag, const std::vector<VtuArray>& arrays,
     return text + "</" + tag + ">\n";
 }
 
+std::string declared(const char* type, const std::string& name, int components) {
+    return "<PDataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
+           std::to_string(components) + "\"/>\n";
+}
+
+std::string declared_section(const char* tag, const std::vector<VtuArray>& arrays,
+                             const std::vector<VtuIntegers>& integers) {
+    std::string text = std::string("<") + tag + ">\n";
+    for (const VtuArray& array : arrays) {
+        text += declared("Float64", array.name, array.components);
+    }
+    for (const VtuIntegers& array : integers) {
+        text += declared("Int32", array.name, 1);
+    }
+    return text + "</" + tag + ">\n";
+}
+
 }  // namespace
+
+std::string to_pvtu(const VtuGrid& shape, const std::vector<std::string>& files) {
+    std::string pieces;
+    for (const std::string& file : files) {
+        pieces += "<Piece Source=\"" + file + "\"/>\n";
+    }
+    return "<?xml version=\"1.0\"?>\n"
+           "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
+           declared("Float64", "Points", 3) + "</PPoints>\n" +
+           declared_section("PPointData", shape.point_data, shape.point_integers) +
+           declared_section("PCellData", shape.cell_data, shape.cell_integers) + pieces +
+           "</PUnstructuredGrid>\n</VTKFile>\n";
+}
 
 std::string to_vtu(const VtuGrid& grid) {
     const std::size_t cells = grid.connectivity.size() / static_cast<std::size_t>(grid.nodes_per_cell);

@@ -30,6 +30,9 @@ struct VtuGrid {
 
 std::string to_vtu(const VtuGrid& grid);
 
+/// A grid whose pieces, each a VTU with the arrays of `shape`, lie in `files` beside the PVTU.
+std::string to_pvtu(const VtuGrid& shape, const std::vector<std::string>& files);
+
 /// A time series: the files of each time, one part after another.
 struct PvdEntry {
     double time;

@@ -98,7 +98,7 @@ struct Boundary {
 };
 
 struct SolverSpec {
-    std::string strategy;  ///< "auto" | "condensed"
+    std::string strategy;  ///< "auto" | "condensed" | "newton-krylov"
     double tolerance;      ///< relative, of each nonlinear solve
     int max_iterations;    ///< of one Newton solve
 };

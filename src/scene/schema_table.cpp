@@ -165,7 +165,7 @@ std::vector<Key> boundary_keys() {
 
 std::vector<Key> run_keys() {
     return {
-        {.name = "solver.strategy", .type = Type::choice, .choices = {"auto", "condensed"},
+        {.name = "solver.strategy", .type = Type::choice, .choices = {"auto", "condensed", "newton-krylov"},
          .fallback = R"("auto")", .example = R"("condensed")",
          .description = "How a step's nonlinear problem is solved: condensed reduces it to the contact "
          "unknowns."},

@@ -1,6 +1,8 @@
 #include "solve/condensed_problem.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
 
 namespace thermocontact::solve {
 
@@ -20,8 +22,17 @@ NewtonResult CondensedProblem::solve(NonlinearTerm& F, Eigen::VectorXd& x) {
     return newton_.solve(system_.schur_complement(), rhs_, F, x);
 }
 
-double CondensedProblem::largest_without_contact() {
-    return rhs_.size() > 0 ? system_.schur_complement().ldlt().solve(rhs_).cwiseAbs().maxCoeff() : 0.0;
+double CondensedProblem::largest_unknown(const Eigen::VectorXd& start) {
+    if (rhs_.size() == 0) {
+        return 0.0;
+    }
+    return std::max(system_.schur_complement().ldlt().solve(rhs_).cwiseAbs().maxCoeff(),
+                    start.cwiseAbs().maxCoeff());
+}
+
+bool CondensedProblem::finish(const Eigen::VectorXd& x, std::vector<double>& solution) {
+    system_.expand(x, solution);
+    return std::ranges::all_of(solution, [](double value) { return std::isfinite(value); });
 }
 
 std::unique_ptr<StepProblem> Condensed::prepare(const StepProblemInput& input) {

@@ -15,10 +15,8 @@ class CondensedProblem : public StepProblem {
     const std::vector<std::int32_t>& contact_dofs() const override { return system_.contact_dofs(); }
     Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) override;
     NewtonResult solve(NonlinearTerm& F, Eigen::VectorXd& x) override;
-    double largest_without_contact() override;
-    void finish(const Eigen::VectorXd& x, std::vector<double>& solution) override {
-        system_.expand(x, solution);
-    }
+    double largest_unknown(const Eigen::VectorXd& start) override;
+    bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) override;
     std::int64_t factor_entries() const override { return system_.factor_entries(); }
 
   private:
@@ -31,9 +29,11 @@ class Condensed : public Strategy {
   public:
     explicit Condensed(const fem::NodeGraph& graph) : orders_(graph) {}
     std::string name() const override { return "condensed"; }
+    const parallel::Team& team() const override { return alone_; }
     std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) override;
 
   private:
+    parallel::Alone alone_;
     InteriorOrders orders_;
 };
 

@@ -30,6 +30,19 @@ const char* describe(NewtonEnd end) {
     return "";
 }
 
+void NonlinearTerm::add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) {
+    visit_derivative(x, [&](std::span<const std::int32_t> unknowns, std::span<const double> values) {
+        const std::size_t n = unknowns.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j < n; ++j) {
+                if (unknowns[i] >= 0 && unknowns[j] >= 0) {
+                    matrix(unknowns[i], unknowns[j]) += values[i * n + j];
+                }
+            }
+        }
+    });
+}
+
 Newton::Residual Newton::residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
                                   const Eigen::VectorXd& x) {
     linear_.noalias() = S * x;

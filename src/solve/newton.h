@@ -3,6 +3,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <cstdint>
+#include <functional>
+#include <span>
 
 namespace thermocontact::solve {
 
@@ -17,8 +20,15 @@ class NonlinearTerm {
     /// F(x) into `value` (overwritten).
     virtual void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) = 0;
 
+    /// One dense piece of dF/dx: the unknowns of its rows and columns (-1: leave out), and the values,
+    /// row-major.
+    using Piece = std::function<void(std::span<const std::int32_t> unknowns, std::span<const double> values)>;
+
+    /// dF/dx(x) as a sum of pieces.
+    virtual void visit_derivative(const Eigen::VectorXd& x, const Piece& visit) = 0;
+
     /// Adds dF/dx(x) to `matrix`.
-    virtual void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) = 0;
+    void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix);
 };
 
 struct NewtonOptions {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fem/block_matrix.h"
+#include "parallel/team.h"
 #include "solve/newton.h"
 
 namespace thermocontact::solve {
@@ -27,11 +28,12 @@ class StepProblem {
     /// From the start value in x to the solution; without contact there is nothing to iterate.
     virtual NewtonResult solve(NonlinearTerm& F, Eigen::VectorXd& x) = 0;
 
-    /// The largest entry of the solution without F: a bound of what friction meets.
-    virtual double largest_without_contact() = 0;
+    /// The largest entry of the start value and of the solution without F: a bound of what friction meets.
+    virtual double largest_unknown(const Eigen::VectorXd& start) = 0;
 
-    /// Writes the solution into all dofs that are not fixed.
-    virtual void finish(const Eigen::VectorXd& x, std::vector<double>& solution) = 0;
+    /// Writes the solution into all dofs that are not fixed; false if an entry is not finite, on whichever
+    /// process.
+    virtual bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) = 0;
 
     /// Numbers in the factors, where there are any.
     virtual std::int64_t factor_entries() const { return 0; }
@@ -53,6 +55,9 @@ class Strategy {
   public:
     virtual ~Strategy() = default;
     virtual std::string name() const = 0;
+
+    /// The processes that solve together.
+    virtual const parallel::Team& team() const = 0;
 
     /// Throws NotPositiveDefinite with the dof where the system shows that it is singular.
     virtual std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) = 0;

@@ -63,7 +63,7 @@ TEST_P(Contact, ClosedEverywhere) {
             return Vector{0.4, 0.7};
         },
         6.0);
-    const ContactMeasures measures = probe(0).measure();
+    const ContactMeasures measures = probe(0).measure(parallel::Alone());
     const double p = 10 * 0.1, share = 0.4 / 0.5;
     EXPECT_NEAR(measures.area, 2.0, round_off);
     EXPECT_NEAR(measures.normal_force, 2 * p, round_off * 10);
@@ -84,7 +84,7 @@ TEST_P(Contact, OpenEverywhere) {
         },
         6.0);
     for (std::size_t surface : {0U, 1U}) {
-        const ContactMeasures measures = probe(surface).measure();
+        const ContactMeasures measures = probe(surface).measure(parallel::Alone());
         EXPECT_EQ(measures.normal_force, 0.0);
         EXPECT_EQ(measures.tangential_force, 0.0);
         EXPECT_EQ(measures.max_penetration, 0.0);
@@ -104,7 +104,7 @@ TEST_P(Contact, Shares) {
             return Vector{x < 0.76 ? 0.2 : 0.2 + 4 * (x - 0.75), 0};
         },
         0.0);
-    const ContactMeasures measures = probe(0).measure();
+    const ContactMeasures measures = probe(0).measure(parallel::Alone());
     // Facet [1, 1.25] falls from 0.1 to -0.1 (P1: closed up to its middle; P2 with its midpoint at -0.1: up
     // to (3 - sqrt 5)/4 = 0.19 of it); the two Gauss points of `quadrature = 2` lie at 0.211 and 0.789 of the
     // facet.
@@ -124,7 +124,7 @@ TEST_P(Contact, FrictionlessSideAndItsExponent) {
             return Vector{0.0, 0.0};
         },
         6.0);
-    const ContactMeasures measures = probe(1).measure();
+    const ContactMeasures measures = probe(1).measure(parallel::Alone());
     EXPECT_NEAR(measures.normal_force, 100 * 0.04, round_off * 10);
     EXPECT_EQ(measures.tangential_force, 0.0);
     EXPECT_NEAR(measures.max_penetration, 0.2, round_off);

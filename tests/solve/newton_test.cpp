@@ -21,8 +21,11 @@ class Componentwise : public NonlinearTerm {
     Componentwise(Function f, Function derivative) : f_(std::move(f)), derivative_(std::move(derivative)) {}
 
     void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override { value = x.unaryExpr(f_); }
-    void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix) override {
-        matrix.diagonal() += x.unaryExpr(derivative_);
+    void visit_derivative(const Eigen::VectorXd& x, const Piece& visit) override {
+        for (std::int32_t i = 0; i < x.size(); ++i) {
+            const double value = derivative_(x[i]);
+            visit(std::span(&i, 1), std::span(&value, 1));
+        }
     }
 
   private:

@@ -1,0 +1,34 @@
+/// What several processes and large systems need. It is kept out of the program that needs neither: loading
+/// MPI and PETSc takes 0.4 s, more than many a whole run.
+#pragma once
+
+#include <memory>
+
+#include "fem/space.h"
+#include "parallel/part.h"
+#include "parallel/team.h"
+#include "solve/step_problem.h"
+
+namespace thermocontact::parallel {
+
+class Backend {
+  public:
+    virtual ~Backend() = default;
+    virtual const Team& team() const = 0;
+
+    /// Ends all processes at once: an error that the others do not know of.
+    [[noreturn]] virtual void abort(int code) const = 0;
+
+    /// Strategy "newton-krylov" on this process's part, which must outlive it.
+    virtual std::unique_ptr<solve::Strategy> newton_krylov(const Part& part) const = 0;
+};
+
+/// In `thermocontact`: nothing, and `thermocontact-petsc` takes over where mpirun started the process. In
+/// `thermocontact-petsc`: MPI and PETSc, with the options behind "--".
+std::unique_ptr<Backend> open_backend(int argc, char** argv);
+
+/// Replaces the process by `thermocontact-petsc` beside it with the same arguments, as it started. Throws
+/// SystemError where it is missing.
+[[noreturn]] void continue_with_petsc();
+
+}  // namespace thermocontact::parallel

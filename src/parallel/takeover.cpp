@@ -1,0 +1,59 @@
+/// The program without PETSc: hands over to the one with it.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "error.h"
+#include "parallel/backend.h"
+
+namespace thermocontact::parallel {
+namespace {
+
+/// Whether mpirun started this process (Open MPI, MPICH and their kin say so in the environment) as one of
+/// several.
+bool one_of_several() {
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+        if (const char* value = std::getenv(name); value != nullptr) {
+            return std::atoi(value) > 1;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+std::unique_ptr<Backend> open_backend(int argc, char** argv) {
+    const bool options =
+        std::any_of(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
+    if (one_of_several() || options) {
+        continue_with_petsc();
+    }
+    return nullptr;
+}
+
+void continue_with_petsc() {
+    std::ifstream file("/proc/self/cmdline", std::ios::binary);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(file, word, '\0');) {
+        words.push_back(word);
+    }
+    std::vector<char*> argv;
+    for (std::string& word : words) {
+        argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    const std::filesystem::path program =
+        std::filesystem::read_symlink("/proc/self/exe").parent_path() / "thermocontact-petsc";
+    execv(program.c_str(), argv.data());
+    throw SystemError("several processes and strategy \"newton-krylov\" need " + program.string() + ": " +
+                      std::strerror(errno));
+}
+
+}  // namespace thermocontact::parallel

@@ -1,0 +1,97 @@
+#include "parallel/backend.h"
+
+#include <mpi.h>
+#include <petscsys.h>
+
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include "petsc/check.h"
+#include "petsc/krylov.h"
+
+namespace thermocontact::petsc {
+namespace {
+
+class MpiTeam final : public parallel::Team {
+  public:
+    using Team::max;
+    using Team::sum;
+    MpiTeam() {
+        MPI_Comm_rank(PETSC_COMM_WORLD, &rank_);
+        MPI_Comm_size(PETSC_COMM_WORLD, &size_);
+    }
+    int rank() const override { return rank_; }
+    int size() const override { return size_; }
+    void sum(std::span<double> numbers) const override { reduce(numbers, MPI_SUM); }
+    void max(std::span<double> numbers) const override { reduce(numbers, MPI_MAX); }
+
+  private:
+    void reduce(std::span<double> numbers, MPI_Op operation) const {
+        if (size_ > 1) {
+            MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE,
+                          operation, PETSC_COMM_WORLD);
+        }
+    }
+
+    int rank_ = 0, size_ = 1;
+};
+
+/// The words behind "--", with the program's name before them.
+std::vector<char*> petsc_words(int argc, char** argv) {
+    std::vector<char*> words{argv[0]};
+    bool behind = false;
+    for (int i = 1; i < argc; ++i) {
+        if (behind) {
+            words.push_back(argv[i]);
+        }
+        behind = behind || std::string_view(argv[i]) == "--";
+    }
+    words.push_back(nullptr);
+    return words;
+}
+
+class PetscBackend final : public parallel::Backend {
+  public:
+    PetscBackend(int argc, char** argv) : words_(petsc_words(argc, argv)) {
+        auto count = static_cast<int>(words_.size()) - 1;
+        char** words = words_.data();
+        check(PetscInitialize(&count, &words, nullptr, nullptr));
+        PetscPopSignalHandler();                                  // SIGINT and SIGTERM are the driver's
+        PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);  // check() tells of errors
+        team_ = std::make_unique<MpiTeam>();
+    }
+    ~PetscBackend() override { PetscFinalize(); }
+    PetscBackend(const PetscBackend&) = delete;
+    PetscBackend& operator=(const PetscBackend&) = delete;
+
+    const parallel::Team& team() const override { return *team_; }
+
+    [[noreturn]] void abort(int code) const override {
+        MPI_Abort(PETSC_COMM_WORLD, code);
+        std::abort();
+    }
+
+    std::unique_ptr<solve::Strategy> newton_krylov(const parallel::Part& part) const override {
+        return std::make_unique<NewtonKrylov>(part, *team_);
+    }
+
+  private:
+    std::vector<char*> words_;
+    std::unique_ptr<MpiTeam> team_;
+};
+
+}  // namespace
+}  // namespace thermocontact::petsc
+
+namespace thermocontact::parallel {
+
+std::unique_ptr<Backend> open_backend(int argc, char** argv) {
+    return std::make_unique<petsc::PetscBackend>(argc, argv);
+}
+
+void continue_with_petsc() {
+    throw std::logic_error("PETSc is here already");
+}
+
+}  // namespace thermocontact::parallel

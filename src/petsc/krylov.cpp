@@ -1,0 +1,311 @@
+#include "petsc/krylov.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "petsc/check.h"
+#include "petsc/shared_matrix.h"
+
+namespace thermocontact::petsc {
+namespace {
+
+constexpr int max_halvings = 20;
+constexpr double sufficient_decrease = 1e-4;  ///< Armijo's constant
+constexpr double loosest = 1e-2;              ///< relative tolerance of the first linear solves of a step
+constexpr double tightest = 1e-10;
+constexpr double most_round_off = 1000;  ///< Newton tolerances that round-off may take, never more
+constexpr PetscInt most_iterations = 1000;
+constexpr PetscInt gmres_restart = 60;
+constexpr double worn_out = 1.5;  ///< times the iterations of a new hierarchy: time for another
+constexpr int worn_out_margin = 5;
+
+double norm(Vec v) {
+    PetscReal result = 0;
+    check(VecNorm(v, NORM_2, &result));
+    return result;
+}
+
+/// Whether some process says so.
+bool any(bool here) {
+    int result = here ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_INT, MPI_MAX, PETSC_COMM_WORLD);
+    return result != 0;
+}
+
+/// Rigid motions, or nothing for scalars, whose constant PETSc assumes by itself.
+void set_near_null_space(Mat matrix, const parallel::Part& part, SharedVectors& vectors) {
+    const int d = vectors.components();
+    if (d == 1) {
+        return;
+    }
+    const Vector coordinates = vectors.make();
+    check(VecSetBlockSize(coordinates, d));
+    for (std::size_t i = 0; i < part.space.nodes.size(); ++i) {
+        const PetscInt node = part.numbers.global[i];
+        check(VecSetValuesBlocked(coordinates, 1, &node, part.space.nodes[i].data(), INSERT_VALUES));
+    }
+    check(VecAssemblyBegin(coordinates));
+    check(VecAssemblyEnd(coordinates));
+    NearNullSpace motions;
+    check(MatNullSpaceCreateRigidBody(coordinates, motions.put()));
+    check(MatSetNearNullSpace(matrix, motions));
+}
+
+}  // namespace
+
+KrylovProblem::KrylovProblem(const solve::StepProblemInput& input, const parallel::Part& part)
+    : name_(input.name),
+      matrix_(&input.matrix),
+      part_(&part),
+      fixed_(input.fixed),
+      options_(input.newton),
+      symmetric_(input.symmetric),
+      vectors_(part.numbers, input.matrix.rows),
+      tangent_(assemble(input.matrix, input.fixed, part.numbers)) {
+    const auto b = static_cast<std::size_t>(input.matrix.rows);
+    for (std::size_t dof = 0; dof < fixed_.size(); ++dof) {
+        if (input.contact_nodes[dof / b] != 0 && fixed_[dof] == 0) {
+            contact_dofs_.push_back(static_cast<std::int32_t>(dof));
+        }
+    }
+    for (std::size_t dof = 0; dof < fixed_.size(); ++dof) {
+        if (const PetscInt index = owned_index(dof); fixed_[dof] != 0 && index >= 0) {
+            owned_fixed_.push_back(index);
+        }
+    }
+    has_contact_ = any(!contact_dofs_.empty());
+    set_near_null_space(tangent_, part, vectors_);
+    if (has_contact_) {
+        check(MatStoreValues(tangent_));
+    }
+    for (Vector* vector : {&x_, &rhs_, &linear_, &nonlinear_, &residual_, &update_, &candidate_}) {
+        *vector = vectors_.make();
+    }
+    local_x_.resize(fixed_.size());
+    local_.resize(fixed_.size());
+    contact_x_.resize(static_cast<Eigen::Index>(contact_dofs_.size()));
+    make_solver();
+}
+
+void KrylovProblem::make_solver() {
+    check(KSPCreate(PETSC_COMM_WORLD, solver_.put()));
+    check(KSPSetOptionsPrefix(solver_, (name_ + "_").c_str()));
+    check(KSPSetOperators(solver_, tangent_, tangent_));
+    check(KSPSetType(solver_, symmetric_ ? KSPCG : KSPGMRES));
+    if (!symmetric_) {
+        check(KSPGMRESSetRestart(solver_, gmres_restart));
+        check(KSPSetPCSide(solver_, PC_RIGHT));
+    }
+    check(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
+    PC preconditioner = nullptr;
+    check(KSPGetPC(solver_, &preconditioner));
+    check(PCSetType(preconditioner, PCGAMG));
+    check(PCGAMGSetReuseInterpolation(preconditioner, PETSC_TRUE));
+    check(KSPSetFromOptions(solver_));
+}
+
+void KrylovProblem::free_only(std::vector<double>& local) const {
+    for (std::size_t dof = 0; dof < local.size(); ++dof) {
+        if (fixed_[dof] != 0) {
+            local[dof] = 0.0;
+        }
+    }
+}
+
+Eigen::VectorXd KrylovProblem::begin(const std::vector<double>& rhs, const std::vector<double>& start) {
+    local_ = rhs;
+    free_only(local_);
+    vectors_.add_up(local_, rhs_);
+    Eigen::VectorXd x(vectors_.owned());
+    for (std::size_t i = 0; i < part_->numbers.global.size(); ++i) {
+        const auto b = static_cast<std::size_t>(vectors_.components());
+        for (std::size_t c = 0; c < b; ++c) {
+            if (const PetscInt at = owned_index(i * b + c); at >= 0) {
+                x[at] = fixed_[i * b + c] != 0 ? 0.0 : start[i * b + c];
+            }
+        }
+    }
+    return x;
+}
+
+PetscInt KrylovProblem::owned_index(std::size_t dof) const {
+    const auto b = static_cast<std::size_t>(vectors_.components());
+    const auto global = static_cast<PetscInt>(static_cast<std::size_t>(part_->numbers.global[dof / b]) * b + dof % b);
+    const PetscInt index = global - vectors_.begin();
+    return index >= 0 && index < vectors_.owned() ? index : -1;
+}
+
+KrylovProblem::Residual KrylovProblem::residual(solve::NonlinearTerm& F, Vec x) {
+    vectors_.take(x, local_x_);
+    matrix_->multiply(local_x_, local_);
+    free_only(local_);
+    vectors_.add_up(local_, linear_);
+    check(VecWAXPY(residual_, -1.0, rhs_, linear_));
+    double scale = norm(linear_) + norm(rhs_);
+    if (has_contact_) {
+        for (Eigen::Index i = 0; i < contact_x_.size(); ++i) {
+            contact_x_[i] = local_x_[static_cast<std::size_t>(contact_dofs_[static_cast<std::size_t>(i)])];
+        }
+        F.evaluate(contact_x_, contact_F_);
+        std::ranges::fill(local_, 0.0);
+        for (Eigen::Index i = 0; i < contact_F_.size(); ++i) {
+            local_[static_cast<std::size_t>(contact_dofs_[static_cast<std::size_t>(i)])] = contact_F_[i];
+        }
+        vectors_.add_up(local_, nonlinear_);
+        check(VecAXPY(residual_, 1.0, nonlinear_));
+        scale += norm(nonlinear_);
+    }
+    const double size = norm(residual_);
+    return {size, scale > 0 ? size / scale : size};
+}
+
+void KrylovProblem::update_tangent(solve::NonlinearTerm& F) {
+    if (!has_contact_) {
+        return;
+    }
+    check(MatRetrieveValues(tangent_));
+    const auto b = vectors_.components();
+    std::vector<PetscInt> rows;
+    F.visit_derivative(
+        contact_x_, [&](std::span<const std::int32_t> unknowns, std::span<const double> tensor) {
+            rows.clear();
+            for (const std::int32_t unknown : unknowns) {
+                if (unknown < 0) {
+                    rows.push_back(-1);  // PETSc leaves negative rows and columns out
+                    continue;
+                }
+                const std::int32_t dof = contact_dofs_[static_cast<std::size_t>(unknown)];
+                rows.push_back(part_->numbers.global[static_cast<std::size_t>(dof / b)] * b + dof % b);
+            }
+            const auto n = static_cast<PetscInt>(rows.size());
+            check(MatSetValues(tangent_, n, rows.data(), n, rows.data(), tensor.data(), ADD_VALUES));
+        });
+    check(MatAssemblyBegin(tangent_, MAT_FINAL_ASSEMBLY));
+    check(MatAssemblyEnd(tangent_, MAT_FINAL_ASSEMBLY));
+}
+
+bool KrylovProblem::solve_linear(double tolerance) {
+    const auto attempt = [&](bool reuse, PetscInt& iterations) {
+        check(KSPSetReusePreconditioner(solver_, reuse ? PETSC_TRUE : PETSC_FALSE));
+        check(KSPSolve(solver_, residual_, update_));
+        double* values = nullptr;  // multigrid moves prescribed unknowns by what its tolerance allows
+        check(VecGetArray(update_, &values));
+        for (const PetscInt index : owned_fixed_) {
+            values[index] = 0.0;
+        }
+        check(VecRestoreArray(update_, &values));
+        KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+        check(KSPGetConvergedReason(solver_, &reason));
+        check(KSPGetIterationNumber(solver_, &iterations));
+        return reason > 0;
+    };
+    check(KSPSetTolerances(solver_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations));
+    PetscInt iterations = 0;
+    // the number of iterations is about proportional to the digits asked for
+    const double digits = -std::log10(tolerance);
+    if (fresh_iterations_ >= 0 && attempt(true, iterations)) {
+        if (iterations > worn_out * fresh_iterations_ * digits + worn_out_margin) {
+            fresh_iterations_ = -1;  // good enough this time
+        }
+        return true;
+    }
+    const bool solved = attempt(false, iterations);
+    fresh_iterations_ = solved ? static_cast<int>(std::ceil(iterations / digits)) : -1;
+    return solved;
+}
+
+double KrylovProblem::round_off(Vec x) {
+    fem::BlockMatrix magnitudes = *matrix_;
+    for (double& value : magnitudes.values) {
+        value = std::abs(value);
+    }
+    vectors_.take(x, local_x_);
+    for (double& value : local_x_) {
+        value = std::abs(value);
+    }
+    magnitudes.multiply(local_x_, local_);
+    free_only(local_);
+    vectors_.add_up(local_, linear_);
+    return std::numeric_limits<double>::epsilon() * norm(linear_);
+}
+
+solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorXd& x) {
+    using solve::NewtonEnd;
+    check(VecPlaceArray(x_, x.data()));
+    struct Reset {
+        Vec vector;
+        ~Reset() { VecResetArray(vector); }
+    } reset{x_};
+    Residual current = residual(F, x_);
+    double forcing = has_contact_ ? loosest : tightest;
+    for (int iteration = 0;; ++iteration) {
+        if (!std::isfinite(current.norm)) {
+            return {NewtonEnd::not_finite, iteration, current.relative};
+        }
+            if (current.relative <= options_.tolerance) {
+            return {NewtonEnd::converged, iteration, current.relative};
+        }
+        const auto stalled = [&](NewtonEnd end) -> solve::NewtonResult {
+            const bool done =
+                current.relative <= most_round_off * options_.tolerance && current.norm <= round_off(x_);
+            return {done ? NewtonEnd::converged : end, iteration, current.relative};
+        };
+        if (iteration == options_.max_iterations) {
+            return stalled(NewtonEnd::too_many_iterations);
+        }
+        update_tangent(F);
+        // no more digits than the tolerance needs
+        const double wanted = std::max(forcing, 0.1 * options_.tolerance / current.relative);
+        if (!solve_linear(std::clamp(wanted, tightest, loosest))) {
+            return stalled(NewtonEnd::singular);
+        }
+        const double before = current.norm;
+        double length = 1.0;
+        for (int halving = 0;; ++halving, length /= 2) {
+            if (halving == max_halvings) {
+                residual(F, x_);
+                return stalled(NewtonEnd::line_search_failed);
+            }
+            check(VecWAXPY(candidate_, -length, update_, x_));
+            const Residual next = residual(F, candidate_);
+            if (next.norm <= (1 - sufficient_decrease * length) * current.norm) {
+                check(VecCopy(candidate_, x_));
+                current = next;
+                break;
+            }
+        }
+        // Eisenstat and Walker, choice 2
+        const double ratio = current.norm / before;
+        forcing = std::clamp(0.9 * ratio * ratio, tightest, loosest);
+    }
+}
+
+double KrylovProblem::largest_unknown(const Eigen::VectorXd& start) {
+    double largest = start.size() > 0 ? start.cwiseAbs().maxCoeff() : 0.0;
+    check(VecCopy(rhs_, residual_));
+    if (has_contact_) {
+        check(MatRetrieveValues(tangent_));
+    }
+    if (solve_linear(loosest)) {
+        PetscReal solution = 0;
+        check(VecNorm(update_, NORM_INFINITY, &solution));
+        largest = std::max(largest, solution);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
+    return largest;
+}
+
+bool KrylovProblem::finish(const Eigen::VectorXd& x, std::vector<double>& solution) {
+    check(VecPlaceArray(x_, x.data()));
+    vectors_.take(x_, local_x_);
+    check(VecResetArray(x_));
+    for (std::size_t dof = 0; dof < solution.size(); ++dof) {
+        if (fixed_[dof] == 0) {
+            solution[dof] = local_x_[dof];
+        }
+    }
+    return !any(!x.allFinite());
+}
+
+}  // namespace thermocontact::petsc

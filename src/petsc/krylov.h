@@ -1,0 +1,68 @@
+/// Strategy "newton-krylov": Newton on the whole system, spread over the processes; CG or GMRES with
+/// algebraic multigrid. The constant part A is assembled once, only contact facets are revisited, and the
+/// multigrid hierarchy is used again for as long as its iterations stay near those of a new one.
+#pragma once
+
+#include "parallel/part.h"
+#include "petsc/objects.h"
+#include "petsc/shared_vectors.h"
+#include "solve/step_problem.h"
+
+namespace thermocontact::petsc {
+
+class KrylovProblem final : public solve::StepProblem {
+  public:
+    KrylovProblem(const solve::StepProblemInput& input, const parallel::Part& part);
+
+    const std::vector<std::int32_t>& contact_dofs() const override { return contact_dofs_; }
+    Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) override;
+    solve::NewtonResult solve(solve::NonlinearTerm& F, Eigen::VectorXd& x) override;
+    double largest_unknown(const Eigen::VectorXd& start) override;
+    bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) override;
+
+  private:
+    struct Residual {
+        double norm, relative;
+    };
+
+    Residual residual(solve::NonlinearTerm& F, Vec x);
+    void update_tangent(solve::NonlinearTerm& F);
+    bool solve_linear(double tolerance);
+    double round_off(Vec x);
+    PetscInt owned_index(std::size_t dof) const;  ///< -1: another process owns it
+    void free_only(std::vector<double>& local) const;
+    void make_solver();
+
+    std::string name_;
+    const fem::BlockMatrix* matrix_;
+    const parallel::Part* part_;
+    std::vector<char> fixed_;
+    solve::NewtonOptions options_;
+    bool symmetric_;
+    std::vector<std::int32_t> contact_dofs_;
+    std::vector<PetscInt> owned_fixed_;  ///< among the owned
+    bool has_contact_;  ///< on any process
+    SharedVectors vectors_;
+    Matrix tangent_;  ///< A + dF/dx; A's values are stored beside
+    Solver solver_;
+    Vector x_, rhs_, linear_, nonlinear_, residual_, update_, candidate_;
+    std::vector<double> local_x_, local_;
+    Eigen::VectorXd contact_x_, contact_F_;
+    int fresh_iterations_ = -1;  ///< of the last solve with a new hierarchy; -1: none yet
+};
+
+class NewtonKrylov final : public solve::Strategy {
+  public:
+    NewtonKrylov(const parallel::Part& part, const parallel::Team& team) : part_(&part), team_(&team) {}
+    std::string name() const override { return "newton-krylov"; }
+    const parallel::Team& team() const override { return *team_; }
+    std::unique_ptr<solve::StepProblem> prepare(const solve::StepProblemInput& input) override {
+        return std::make_unique<KrylovProblem>(input, *part_);
+    }
+
+  private:
+    const parallel::Part* part_;
+    const parallel::Team* team_;
+};
+
+}  // namespace thermocontact::petsc

@@ -1,0 +1,51 @@
+#include "petsc/shared_vectors.h"
+
+#include "petsc/check.h"
+
+namespace thermocontact::petsc {
+namespace {
+
+int rank() {
+    PetscMPIInt result = 0;
+    MPI_Comm_rank(PETSC_COMM_WORLD, &result);
+    return result;
+}
+
+}  // namespace
+
+SharedVectors::SharedVectors(const parallel::NodeNumbers& numbers, int components) : components_(components) {
+    const auto here = static_cast<std::size_t>(rank());
+    begin_ = numbers.first[here] * components;
+    owned_ = numbers.first[here + 1] * components - begin_;
+    check(VecCreateMPI(PETSC_COMM_WORLD, owned_, PETSC_DETERMINE, shape_.put()));
+    const auto nodes = static_cast<PetscInt>(numbers.global.size());
+    check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, nodes * components, nullptr, local_.put()));
+    Indices all;
+    check(ISCreateBlock(PETSC_COMM_SELF, components, nodes, numbers.global.data(), PETSC_COPY_VALUES,
+                        all.put()));
+    check(VecScatterCreate(shape_, all, local_, nullptr, scatter_.put()));
+}
+
+Vector SharedVectors::make() const {
+    Vector result;
+    check(VecDuplicate(shape_, result.put()));
+    check(VecZeroEntries(result));
+    return result;
+}
+
+void SharedVectors::add_up(const std::vector<double>& local, Vec shared) {
+    check(VecPlaceArray(local_, local.data()));
+    check(VecZeroEntries(shared));
+    check(VecScatterBegin(scatter_, local_, shared, ADD_VALUES, SCATTER_REVERSE));
+    check(VecScatterEnd(scatter_, local_, shared, ADD_VALUES, SCATTER_REVERSE));
+    check(VecResetArray(local_));
+}
+
+void SharedVectors::take(Vec shared, std::vector<double>& local) {
+    check(VecPlaceArray(local_, local.data()));
+    check(VecScatterBegin(scatter_, shared, local_, INSERT_VALUES, SCATTER_FORWARD));
+    check(VecScatterEnd(scatter_, shared, local_, INSERT_VALUES, SCATTER_FORWARD));
+    check(VecResetArray(local_));
+}
+
+}  // namespace thermocontact::petsc

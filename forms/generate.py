@@ -18,8 +18,11 @@ STUB = """import space
 
 space.select("{cell}", {degree})
 from {file} import *
-from ufl.form import Form
+from ufl import Form
 
+for name, form in list(globals().items()):
+    if isinstance(form, Form):
+        globals()[name] = space.completed(form)
 forms = [form for form in list(globals().values()) if isinstance(form, Form)]
 """
 

@@ -6,13 +6,45 @@ between FEniCSx versions is confined to `_element`.
 
 import ufl
 
-# Interval facets: a Gauss rule of m points is exact to degree 2 m - 1, so odd degrees name all rules.
-# Rule 0 has its points at the nodes of the facet, which makes `integral(q) / integral(1)` the value at a node.
-GAUSS_DEGREES = {"triangle": (1, 3, 5, 7, 9)}
-NODE_RULES = {
-    ("triangle", 1): (((0.0,), (1.0,)), (1 / 2, 1 / 2)),
-    ("triangle", 2): (((0.0,), (1.0,), (0.5,)), (1 / 6, 1 / 6, 2 / 3)),
-}
+# Gauss rules on facets by the degree to which they are exact. On intervals and quadrilaterals m points a direction
+# are exact to degree 2 m - 1, so odd degrees name all rules; on triangles each degree has a rule of its own.
+_ODD, _ALL = (1, 3, 5, 7, 9), (1, 2, 3, 4, 5, 6, 7, 8, 9)
+GAUSS_DEGREES = {"triangle": _ODD, "quadrilateral": _ODD, "tetrahedron": _ALL, "hexahedron": _ODD}
+
+
+def _trapezoid(degree):
+    """Points and weights of the trapezoid rule or of Simpson's on the interval: ends, then the midpoint."""
+    if degree == 1:
+        return ((0.0,), (1.0,)), (1 / 2, 1 / 2)
+    return ((0.0,), (1.0,), (0.5,)), (1 / 6, 1 / 6, 2 / 3)
+
+
+def _product(rule):
+    """The rule on the square that is the product of one on the interval."""
+    points, weights = rule
+    pairs = [(i, j) for i in range(len(weights)) for j in range(len(weights))]
+    return tuple(points[i] + points[j] for i, j in pairs), tuple(weights[i] * weights[j] for i, j in pairs)
+
+
+_CORNERS = ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))
+_MIDPOINTS = ((0.5, 0.5), (0.0, 0.5), (0.5, 0.0))
+
+
+def _vertex_rule(cell, degree):
+    """Rule 0, at nodes of the facet: exact for the functions of the space, without negative weights.
+
+    On triangles of degree 2 the weights of the corners vanish, so that only the midpoints of the edges remain.
+    """
+    if cell == "tetrahedron":
+        return (_CORNERS if degree == 1 else _MIDPOINTS), (1 / 6, 1 / 6, 1 / 6)
+    return _product(_trapezoid(degree)) if cell == "hexahedron" else _trapezoid(degree)
+
+
+def _nodal_rule(cell, degree):
+    """Positive weights at all nodes of the facet, which makes `integral(f q) / integral(q)` the value of f there."""
+    if cell == "tetrahedron" and degree == 2:
+        return _CORNERS + _MIDPOINTS, 6 * (1 / 12,)
+    return _vertex_rule(cell, degree)
 
 
 def _element(family, cell, degree, shape=()):
@@ -30,7 +62,7 @@ def _element(family, cell, degree, shape=()):
 def select(cell, degree):
     """Define, in this module: mesh, dim, vector space V, scalar space Q, cell-wise stress space S, normal n."""
     names = globals()
-    dim = {"triangle": 2}[cell]
+    dim = {"triangle": 2, "quadrilateral": 2, "tetrahedron": 3, "hexahedron": 3}[cell]
     mesh = ufl.Mesh(_element("Lagrange", cell, 1, (dim,)))
     constant_family = "DG"
     names.update(
@@ -43,7 +75,10 @@ def select(cell, degree):
         D=ufl.FunctionSpace(mesh, _element(constant_family, cell, 0)),
         n=ufl.FacetNormal(mesh),
         _gauss_degrees=GAUSS_DEGREES[cell],
-        _node_rule=NODE_RULES[cell, degree],
+        _vertices=_custom(*_vertex_rule(cell, degree)),
+        _nodes=_custom(*_nodal_rule(cell, degree)),
+        # degree + 1 Gauss points a direction on cells whose geometry is not affine; None: what the integrand asks for
+        _full=2 * degree + 1 if cell in ("quadrilateral", "hexahedron") else None,
     )
 
 
@@ -72,19 +107,33 @@ def positive_part(r):
 
 def over_contact(integrand):
     """Integral over contact facets, once for every rule a scene may ask for; the subdomain id is the rule's name."""
-    rules = [
-        integrand * ufl.ds(degree, domain=mesh, metadata={"quadrature_degree": degree}) for degree in _gauss_degrees
-    ]
-    return sum(rules, at_nodes(integrand, subdomain=(0,)))
+    rules = {degree: {"quadrature_degree": degree} for degree in _gauss_degrees} | {0: _vertices}
+    return sum(integrand * ufl.ds(rule, domain=mesh, metadata=metadata) for rule, metadata in rules.items())
 
 
-def at_nodes(integrand, subdomain=()):
-    """Integral over facets by the rule at their nodes."""
-    points, weights = _node_rule
-    metadata = {
+def at_nodes(integrand):
+    """Integral over facets by the rule at all their nodes."""
+    return integrand * ufl.ds(domain=mesh, metadata=_nodes)
+
+
+def _custom(points, weights):
+    """Metadata of the rule with these points, in reference coordinates of the facet."""
+    return {
         "quadrature_rule": "custom",
         "quadrature_degree": 1,
         "quadrature_points": points,
         "quadrature_weights": weights,
     }
-    return integrand * ufl.ds(*subdomain, domain=mesh, metadata=metadata)
+
+
+def completed(form):
+    """The form with a rule named for the integrals that leave theirs open, where the geometry is not affine."""
+    if _full is None:
+        return form
+    named = [
+        integral
+        if "quadrature_degree" in integral.metadata()
+        else integral.reconstruct(metadata={**integral.metadata(), "quadrature_degree": _full})
+        for integral in form.integrals()
+    ]
+    return ufl.Form(named)

@@ -135,9 +135,8 @@ def load_grid(path: Path) -> vtu.Grid:
 
 
 def midpoints(grid: vtu.Grid) -> Array:
-    """Of the vertices: the first three nodes of a triangle, the first two of a line."""
-    vertices = 3 if grid.cell_type in (vtu.TRIANGLE, vtu.QUADRATIC_TRIANGLE) else 2
-    return grid.points[grid.cells[:, :vertices]].mean(axis=1)
+    """Of the vertices, which come first among the nodes of a cell."""
+    return grid.points[grid.cells[:, : vtu.VERTICES[grid.cell_type]]].mean(axis=1)
 
 
 def matched(a: Array, b: Array, radius: float, what: str) -> npt.NDArray[np.int64]:

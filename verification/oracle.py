@@ -17,7 +17,8 @@ Physics that the scene leaves out contributes no form. Exit codes: 0 completed, 
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -29,12 +30,12 @@ from mpi4py import MPI
 from petsc4py import PETSc
 
 from oracle_parts.contact import ContactSide
-from oracle_parts.domain import Loads, Nodal, Prescribed, Side, create_mesh
+from oracle_parts.domain import Body, Loads, Nodal, Prescribed, Side, create_body
 from oracle_parts.errors import NumericsError, SceneError
 from oracle_parts.newton import StepEquation, Term, Tolerances
 from oracle_parts.portability import lagrange_space, petsc_vector
 from oracle_parts.results import CellStress, FieldWriter, History, Stopwatch
-from oracle_parts.scene import Scene, Tensor4, read_scene
+from oracle_parts.scene import Heat, Material, Scene, read_scene
 from oracle_parts.summary import summary, write_summary
 
 
@@ -44,8 +45,12 @@ def strain(v: Any) -> Any:
 
 def apply_voigt(matrix: Any, tau: Any) -> Any:
     """The fourth-order tensor with that Voigt matrix, applied to a symmetric tensor."""
-    s = matrix * ufl.as_vector((tau[0, 0], tau[1, 1], 2 * tau[0, 1]))
-    return ufl.as_tensor(((s[0], s[2]), (s[2], s[1])))
+    if tau.ufl_shape == (2, 2):
+        s = matrix * ufl.as_vector((tau[0, 0], tau[1, 1], 2 * tau[0, 1]))
+        return ufl.as_tensor(((s[0], s[2]), (s[2], s[1])))
+    normal = [tau[axis, axis] for axis in range(3)]
+    s = matrix * ufl.as_vector((*normal, 2 * tau[1, 2], 2 * tau[0, 2], 2 * tau[0, 1]))
+    return ufl.as_tensor(((s[0], s[5], s[4]), (s[5], s[1], s[3]), (s[4], s[3], s[2])))
 
 
 def assembled_matrix(form: Any, bcs: Sequence[Any] = ()) -> Any:
@@ -59,21 +64,38 @@ def l2_norm(matrix: Any, vector: Any) -> float:
     return float(np.sqrt(max(0.0, vector.dot(matrix * vector))))
 
 
+@dataclass(frozen=True)
+class Piece:
+    """Cells with one set of laws: a region, or the rest of the body."""
+
+    dx: Any
+    material: Material | None
+    heat: Heat | None
+
+
+def pieces_of(body: Body, scene: Scene) -> list[Piece]:
+    if not scene.regions:
+        return [Piece(body.dx(), scene.material, scene.heat)]
+    laws = [*scene.regions.values(), (scene.material, scene.heat)]
+    return [Piece(dx, *own) for dx, own in zip(body.dx_of(list(scene.regions)), laws)]
+
+
 class Problem:
     """The fields of a scene, its boundary data and contact sides, and what the two balances share."""
 
     def __init__(self, comm: Any, scene: Scene) -> None:
-        self.scene, self.mesh = scene, create_mesh(comm, scene)
+        self.scene, self.body = scene, create_body(comm, scene)
+        self.mesh, self.dx, self.pieces = self.body.mesh, self.body.dx(), pieces_of(self.body, scene)
         self.k = fem.Constant(self.mesh, scene.step)
         self.Q = lagrange_space(self.mesh, scene.degree)
-        self.V = lagrange_space(self.mesh, scene.degree, 2) if scene.material else None
+        self.V = lagrange_space(self.mesh, scene.degree, scene.dimension) if scene.material else None
         self.u = self.w = self.theta = None
         if scene.material:
             self.u = Nodal(self.V, scene, scene.initial_displacement).function
             self.w = Nodal(self.V, scene, scene.initial_velocity).function
         if scene.heat:
             self.theta = Nodal(self.Q, scene, [scene.initial_temperature]).function
-        self.sides = {name: Side(self.mesh, scene, name) for name in scene.boundaries}
+        self.sides = {name: Side(self.body, name) for name in scene.boundaries}
         self.contacts = [
             ContactSide(self.sides[name], contact, index, self.V, self.Q, scene)
             for index, (name, contact) in enumerate(scene.contacts.items())
@@ -91,6 +113,10 @@ class Problem:
     def constant(self, value: Any) -> Any:
         return fem.Constant(self.mesh, np.asarray(value, dtype=np.float64))
 
+    def sum(self, integrand: Callable[[Callable[[Any], Any], Piece], Any]) -> Any:
+        """The integral over the body of what `integrand` makes, piece by piece, of `constant` and the piece."""
+        return sum(integrand(self.constant, piece) * piece.dx for piece in self.pieces)
+
 
 class Momentum:
     """Finds w_n, then moves u on by k w_n."""
@@ -104,29 +130,33 @@ class Momentum:
         trial, v = ufl.TrialFunction(problem.V), ufl.TestFunction(problem.V)
 
         # The linear part, and the matrices that carry the previous step to the right-hand side
-        dot, dx = ufl.inner, ufl.dx
+        dot, dx = ufl.inner, problem.dx
         self.mass = assembled_matrix(dot(trial, v) * dx)
         self.strain_product = assembled_matrix(dot(strain(trial), strain(v)) * dx)
         linear = 0
-        self.density = material.density
-        if self.density is not None:
-            linear += problem.constant(self.density) / k * dot(trial, v) * dx
+        self.inertia: Any = None
+        if material.density is not None:
+            inertia = problem.sum(lambda law, part: law(part.material.density) * dot(trial, v))
+            self.inertia = assembled_matrix(inertia)
+            linear += (1 / k) * inertia
         if material.viscosity:
-            linear += self._stress_form(problem, material.viscosity, trial, v)
+            linear += self._stress_form(problem, "viscosity", trial, v)
         self.stiffness: Any = None
         if material.elasticity:
-            elastic = self._stress_form(problem, material.elasticity, trial, v)
+            elastic = self._stress_form(problem, "elasticity", trial, v)
             self.stiffness = assembled_matrix(elastic)
             linear += k * elastic
         self.thermal: Any = None
         if heat and heat.thermal_stress is not None:
             theta_trial = ufl.TrialFunction(problem.Q)
-            M = problem.constant(heat.thermal_stress)
-            self.thermal = assembled_matrix(theta_trial * dot(M, strain(v)) * dx)
+            coupling = problem.sum(
+                lambda law, part: theta_trial * dot(law(part.heat.thermal_stress), strain(v))
+            )
+            self.thermal = assembled_matrix(coupling)
             self.theta_vector = petsc_vector(problem.theta)
 
         # Loads f0, f1 and prescribed displacements
-        self.loads = Loads(fem.form(dot(problem.constant((0.0, 0.0)), v) * dx))
+        self.loads = Loads(fem.form(dot(problem.constant(scene.dimension * [0.0]), v) * dx))
         if scene.body_force:
             f0 = Nodal(problem.V, scene, scene.body_force)
             self.loads.add(f0, fem.form(dot(f0.function, v) * dx))
@@ -155,14 +185,17 @@ class Momentum:
         )
 
     @staticmethod
-    def _stress_form(problem: Problem, tensor: Tensor4, trial: Any, v: Any) -> Any:
-        stress = apply_voigt(problem.constant(tensor.voigt), strain(trial))
-        return ufl.inner(stress, strain(v)) * ufl.dx
+    def _stress_form(problem: Problem, law: str, trial: Any, v: Any) -> Any:
+        def stress_power(constant: Callable[[Any], Any], part: Piece) -> Any:
+            voigt = constant(getattr(part.material, law).voigt)
+            return ufl.inner(apply_voigt(voigt, strain(trial)), strain(v))
+
+        return problem.sum(stress_power)
 
     def advance(self, time: float) -> int:
         b = self.loads.at(time)
-        if self.density is not None:
-            b.axpy(self.density / self.step, self.mass * self.w_vector)
+        if self.inertia:
+            b.axpy(1.0 / self.step, self.inertia * self.w_vector)
         if self.stiffness:
             b.axpy(-1.0, self.stiffness * self.u_vector)
         if self.thermal:
@@ -184,27 +217,33 @@ class HeatBalance:
         self.theta, self.step, self.theta_vector = theta, scene.step, petsc_vector(theta)
         trial, eta = ufl.TrialFunction(problem.Q), ufl.TestFunction(problem.Q)
 
-        dx = ufl.dx
+        dx = problem.dx
         self.mass = assembled_matrix(trial * eta * dx)
         linear = 0
-        self.capacity = heat.capacity
-        if self.capacity is not None:
-            linear += problem.constant(self.capacity) / k * trial * eta * dx
+        self.capacity: Any = None
+        if heat.capacity is not None:
+            capacity = problem.sum(lambda law, part: law(part.heat.capacity) * trial * eta)
+            self.capacity = assembled_matrix(capacity)
+            linear += (1 / k) * capacity
         if heat.conductivity is not None:
-            K = problem.constant(heat.conductivity)
-            linear += ufl.inner(K * ufl.grad(trial), ufl.grad(eta)) * dx
+            linear += problem.sum(
+                lambda law, part: ufl.inner(law(part.heat.conductivity) * ufl.grad(trial), ufl.grad(eta))
+            )
         self.strain_heating: Any = None
         if heat.strain_heating is not None:
             u_trial = ufl.TrialFunction(problem.V)
-            R = problem.constant(heat.strain_heating)
-            self.strain_heating = assembled_matrix(ufl.inner(R, strain(u_trial)) * eta * dx)
+            coupling = problem.sum(
+                lambda law, part: ufl.inner(law(part.heat.strain_heating), strain(u_trial)) * eta
+            )
+            self.strain_heating = assembled_matrix(coupling)
             self.u_vector = petsc_vector(problem.u)
 
         # Sources q0, fluxes q_in and prescribed temperatures
         self.loads = Loads(fem.form(problem.constant(0.0) * eta * dx))
-        if heat.source:
-            q0 = Nodal(problem.Q, scene, [heat.source])
-            self.loads.add(q0, fem.form(q0.function * eta * dx))
+        for piece in problem.pieces:
+            if piece.heat and piece.heat.source:
+                q0 = Nodal(problem.Q, scene, [piece.heat.source])
+                self.loads.add(q0, fem.form(q0.function * eta * piece.dx))
         self.prescribed = Prescribed(problem.Q, scene)
         for name, boundary in scene.boundaries.items():
             side = problem.sides[name]
@@ -232,8 +271,8 @@ class HeatBalance:
     def right_hand_side(self, time: float) -> Any:
         """To be asked for before the momentum balance moves u on: the coupling takes u_{n-1}."""
         b = self.loads.at(time)
-        if self.capacity is not None:
-            b.axpy(self.capacity / self.step, self.mass * self.theta_vector)
+        if self.capacity:
+            b.axpy(1.0 / self.step, self.capacity * self.theta_vector)
         if self.strain_heating:
             b.axpy(1.0, self.strain_heating * self.u_vector)
         return b
@@ -245,18 +284,21 @@ class HeatBalance:
 
 def cell_stress(problem: Problem) -> CellStress:
     """sigma = E e(u) + V e(w) - theta M, all at the current step, and sigma_zz of plane strain."""
-    material, heat = problem.scene.material, problem.scene.heat
-    assert material is not None
-    zero = problem.constant(0.0)
-    sigma, sigma_zz = zero * strain(problem.u), zero
-    for tensor, field in ((material.elasticity, problem.u), (material.viscosity, problem.w)):
-        if tensor:
-            sigma += apply_voigt(problem.constant(tensor.voigt), strain(field))
-            sigma_zz += problem.constant(tensor.out_of_plane) * ufl.tr(strain(field))
-    if heat and heat.thermal_stress is not None:
-        sigma -= problem.theta * problem.constant(heat.thermal_stress)
-        sigma_zz -= problem.theta * problem.constant(heat.thermal_stress_zz)
-    return CellStress(problem.mesh, sigma, sigma_zz)
+    parts = []
+    for piece in problem.pieces:
+        material, heat = piece.material, piece.heat
+        assert material is not None
+        zero = problem.constant(0.0)
+        sigma, sigma_zz = zero * strain(problem.u), zero
+        for tensor, field in ((material.elasticity, problem.u), (material.viscosity, problem.w)):
+            if tensor:
+                sigma += apply_voigt(problem.constant(tensor.voigt), strain(field))
+                sigma_zz += problem.constant(tensor.out_of_plane) * ufl.tr(strain(field))
+        if heat and heat.thermal_stress is not None:
+            sigma -= problem.theta * problem.constant(heat.thermal_stress)
+            sigma_zz -= problem.theta * problem.constant(heat.thermal_stress_zz)
+        parts.append((sigma, sigma_zz, piece.dx))
+    return CellStress(problem.body, parts)
 
 
 def diagnostics(problem: Problem, momentum: Momentum | None, heat: HeatBalance | None) -> dict[str, float]:

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/exit_code.h"
+#include "mesh/shapes.h"
 #include "model/physics.h"
 #include "number.h"
 #include "scene/reader.h"
@@ -64,7 +65,7 @@ void print_conditions(const std::vector<theory::Condition>& conditions, int time
 }
 
 void print_theory(const scene::Scene& scene) {
-    const mesh::Mesh mesh = mesh::make_rectangle(scene.mesh);
+    const mesh::Mesh mesh = mesh::make_mesh(scene.mesh);
     const fem::Space space = fem::make_space(mesh, scene.degree);
     const theory::Constants constants = theory::find_constants(scene, mesh, space);
     const theory::Samples samples = theory::take_samples(scene, mesh, space);

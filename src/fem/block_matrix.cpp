@@ -1,6 +1,7 @@
 #include "fem/block_matrix.h"
 
 #include <algorithm>
+#include <numeric>
 #include <cmath>
 #include <stdexcept>
 
@@ -298,9 +299,15 @@ BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& grap
 }
 
 void assemble_cells(Form& form, const Dofmap& dofmap, int components, std::vector<double>& vector) {
+    std::vector<std::int32_t> all(dofmap.cell_nodes.size() / static_cast<std::size_t>(dofmap.nodes_per_cell));
+    std::iota(all.begin(), all.end(), 0);
+    assemble_cells(form, all, dofmap, components, vector);
+}
+
+void assemble_cells(Form& form, std::span<const std::int32_t> cells, const Dofmap& dofmap, int components,
+                    std::vector<double>& vector) {
     std::vector<double> tensor(static_cast<std::size_t>(dofmap.nodes_per_cell * components));
-    const auto cells = static_cast<std::int32_t>(dofmap.cell_nodes.size()) / dofmap.nodes_per_cell;
-    for (std::int32_t cell = 0; cell < cells; ++cell) {
+    for (const std::int32_t cell : cells) {
         std::ranges::fill(tensor, 0.0);
         form.add_cell(cell, tensor);
         scatter(tensor, dofmap.of(cell), components, vector);

@@ -59,6 +59,10 @@ BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& grap
 /// Adds the form's tensors [node, component] of all cells to `vector`.
 void assemble_cells(Form& form, const Dofmap& dofmap, int components, std::vector<double>& vector);
 
+/// The same of the listed cells only.
+void assemble_cells(Form& form, std::span<const std::int32_t> cells, const Dofmap& dofmap, int components,
+                    std::vector<double>& vector);
+
 /// Adds the form's tensors [node, component] of the facets to `vector`.
 void assemble_facets(Form& form, std::span<const mesh::Facet> facets, const Dofmap& dofmap, int components,
                      std::vector<double>& vector);

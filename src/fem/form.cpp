@@ -29,6 +29,15 @@ std::vector<Tabulate> select(const std::vector<Integral>& integrals, int rule) {
 }  // namespace
 
 Form::Form(Kernel kernel, const mesh::Mesh& mesh, const Constants& constants, const Fields& fields, int rule)
+    : Form(std::move(kernel), mesh, fields, rule, std::vector{constants}) {}
+
+Form Form::by_region(Kernel kernel, const mesh::Mesh& mesh, const std::vector<Constants>& sets,
+                     const Fields& fields, int rule) {
+    return {std::move(kernel), mesh, fields, rule, sets};
+}
+
+Form::Form(Kernel kernel, const mesh::Mesh& mesh, const Fields& fields, int rule,
+           const std::vector<Constants>& sets)
     : kernel_(std::move(kernel)),
       mesh_(&mesh),
       cell_calls_(select(kernel_.cells, rule)),
@@ -37,10 +46,14 @@ Form::Form(Kernel kernel, const mesh::Mesh& mesh, const Constants& constants, co
     if (cell_calls_.empty() && facet_calls_.empty()) {
         throw std::logic_error("form " + kernel_.name + " has no rule " + std::to_string(rule));
     }
-    for (const std::string& name : kernel_.constants) {
-        const std::vector<double>& values = bound(constants, name, kernel_.name);
-        constant_offsets_[name] = constants_.size();
-        constants_.insert(constants_.end(), values.begin(), values.end());
+    for (const Constants& constants : sets) {
+        const std::size_t first = constants_.size();
+        for (const std::string& name : kernel_.constants) {
+            const std::vector<double>& values = bound(constants, name, kernel_.name);
+            constant_offsets_[name] = constants_.size() - first;
+            constants_.insert(constants_.end(), values.begin(), values.end());
+        }
+        constants_size_ = constants_.size() - first;
     }
     std::size_t size = 0;
     for (const std::string& name : kernel_.coefficients) {
@@ -67,10 +80,19 @@ void Form::gather(std::int32_t cell) {
     }
 }
 
+const double* Form::constants_of(std::int32_t cell) const {
+    if (constants_.size() == constants_size_) {
+        return constants_.data();
+    }
+    const std::int32_t region = mesh_->cell_regions[static_cast<std::size_t>(cell)];
+    const std::size_t sets = constants_.size() / constants_size_;
+    return constants_.data() + (region < 0 ? sets - 1 : static_cast<std::size_t>(region)) * constants_size_;
+}
+
 void Form::add_cell(std::int32_t cell, std::span<double> tensor) {
     gather(cell);
     for (const Tabulate tabulate : cell_calls_) {
-        tabulate(tensor.data(), coefficients_.data(), constants_.data(), coordinates_.data(), nullptr,
+        tabulate(tensor.data(), coefficients_.data(), constants_of(cell), coordinates_.data(), nullptr,
                  nullptr);
     }
 }
@@ -79,14 +101,16 @@ void Form::add_facet(const mesh::Facet& facet, std::span<double> tensor) {
     gather(facet.cell);
     const int local = facet.local;
     for (const Tabulate tabulate : facet_calls_) {
-        tabulate(tensor.data(), coefficients_.data(), constants_.data(), coordinates_.data(), &local,
+        tabulate(tensor.data(), coefficients_.data(), constants_of(facet.cell), coordinates_.data(), &local,
                  nullptr);
     }
 }
 
 void Form::set_constant(const std::string& name, double value) {
     if (const auto offset = constant_offsets_.find(name); offset != constant_offsets_.end()) {
-        constants_[offset->second] = value;
+        for (std::size_t i = offset->second; i < constants_.size(); i += constants_size_) {
+            constants_[i] = value;
+        }
     }
 }
 

@@ -30,6 +30,10 @@ class Form {
     Form(Kernel kernel, const mesh::Mesh& mesh, const Constants& constants, const Fields& fields = {},
          int rule = -1);
 
+    /// The same with constants for each region of the mesh, and last those of cells in no region.
+    static Form by_region(Kernel kernel, const mesh::Mesh& mesh, const std::vector<Constants>& sets,
+                          const Fields& fields = {}, int rule = -1);
+
     /// Adds the tensor of one cell to `tensor` (row-major).
     void add_cell(std::int32_t cell, std::span<double> tensor);
 
@@ -42,12 +46,17 @@ class Form {
     const std::string& name() const { return kernel_.name; }
 
   private:
+    Form(Kernel kernel, const mesh::Mesh& mesh, const Fields& fields, int rule,
+         const std::vector<Constants>& sets);
+
     void gather(std::int32_t cell);
+    const double* constants_of(std::int32_t cell) const;
 
     Kernel kernel_;
     const mesh::Mesh* mesh_;
     std::vector<Tabulate> cell_calls_, facet_calls_;
-    std::vector<double> constants_;
+    std::vector<double> constants_;  ///< [sets][constants_size_]
+    std::size_t constants_size_ = 0;
     std::map<std::string, std::size_t> constant_offsets_;
     std::vector<Field> fields_;
     std::vector<double> coefficients_;  ///< of the current cell

@@ -6,10 +6,10 @@
 namespace thermocontact::fem {
 namespace {
 
-/// Gives each edge of the mesh, named by its two vertices, the next free node.
-class EdgeNumbering {
+/// Gives each entity of the mesh, named by two of its vertices, the next free node.
+class EntityNumbering {
   public:
-    explicit EdgeNumbering(std::int32_t first) : next_(first) {}
+    explicit EntityNumbering(std::int32_t first) : next_(first) {}
 
     std::int32_t operator()(std::int32_t p, std::int32_t q) {
         const auto key =
@@ -26,23 +26,58 @@ class EdgeNumbering {
     std::int32_t next_;
 };
 
+/// Two vertices that name an entity in every cell that has it: the ends of an edge; of a quadrilateral
+/// (vertices a, b, c, d; diagonals a-d and b-c) the diagonal that holds the smallest.
+std::pair<std::int32_t, std::int32_t> name_of(const std::vector<int>& local, const std::int32_t* vertices) {
+    if (local.size() == 2) {
+        return {vertices[local[0]], vertices[local[1]]};
+    }
+    const std::pair diagonal{vertices[local[0]], vertices[local[3]]};
+    const std::pair other{vertices[local[1]], vertices[local[2]]};
+    return std::min(diagonal.first, diagonal.second) < std::min(other.first, other.second) ? diagonal : other;
+}
+
+/// Numbers the nodes inside the edges, or the quadrilateral faces, of all cells; returns how many nodes there
+/// are then.
+std::int32_t number_entities(const mesh::Mesh& mesh, const LagrangeElement& element, std::size_t dimension,
+                             Dofmap& dofmap) {
+    EntityNumbering numbers(dofmap.node_count);
+    for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
+        const std::int32_t* vertices = mesh.vertices_of(cell).data();
+        std::int32_t* nodes = &dofmap.cell_nodes[static_cast<std::size_t>(cell) *
+                                                 static_cast<std::size_t>(dofmap.nodes_per_cell)];
+        for (std::size_t e = 0; e < element.entities[dimension].size(); ++e) {
+            if (!element.entities[dimension][e].empty()) {
+                const auto [p, q] = name_of(element.topology[dimension][e], vertices);
+                nodes[element.entities[dimension][e].front()] = numbers(p, q);
+            }
+        }
+    }
+    return numbers.count();
+}
+
 Dofmap number_nodes(const mesh::Mesh& mesh, const LagrangeElement& element) {
     const auto per_cell = static_cast<std::size_t>(element.node_count);
     const auto cells = static_cast<std::size_t>(mesh.cell_count());
-    Dofmap dofmap{element.node_count, 0, std::vector<std::int32_t>(cells * per_cell)};
-    EdgeNumbering edges(static_cast<std::int32_t>(mesh.points.size()));
+    Dofmap dofmap{element.node_count, static_cast<std::int32_t>(mesh.points.size()),
+                  std::vector<std::int32_t>(cells * per_cell)};
     for (std::size_t cell = 0; cell < cells; ++cell) {
-        const std::int32_t* vertices = &mesh.cells[cell * static_cast<std::size_t>(mesh.vertices_per_cell)];
-        std::int32_t* nodes = &dofmap.cell_nodes[cell * per_cell];
-        for (std::size_t v = 0; v < element.entities[0].size(); ++v) {
-            nodes[element.entities[0][v].front()] = vertices[v];
-        }
-        for (std::size_t e = 0; element.degree == 2 && e < element.entities[1].size(); ++e) {
-            const auto& ends = element.topology[1][e];
-            nodes[element.entities[1][e].front()] = edges(vertices[ends[0]], vertices[ends[1]]);
+        const auto vertices = mesh.vertices_of(static_cast<std::int32_t>(cell));
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            dofmap.cell_nodes[cell * per_cell + static_cast<std::size_t>(element.entities[0][v].front())] =
+                vertices[v];
         }
     }
-    dofmap.node_count = edges.count();
+    const auto d = static_cast<std::size_t>(mesh.dimension);
+    for (std::size_t dimension = 1; element.degree == 2 && dimension < d; ++dimension) {
+        dofmap.node_count = number_entities(mesh, element, dimension, dofmap);
+    }
+    if (const auto& interior = element.entities[d].front(); !interior.empty()) {
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            dofmap.cell_nodes[cell * per_cell + static_cast<std::size_t>(interior.front())] =
+                dofmap.node_count++;
+        }
+    }
     return dofmap;
 }
 
@@ -50,8 +85,7 @@ std::vector<mesh::Point> node_coordinates(const mesh::Mesh& mesh, const Lagrange
                                           const Dofmap& dofmap) {
     std::vector<mesh::Point> coordinates(static_cast<std::size_t>(dofmap.node_count));
     for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
-        const std::int32_t* vertices =
-            &mesh.cells[static_cast<std::size_t>(cell) * static_cast<std::size_t>(mesh.vertices_per_cell)];
+        const auto vertices = mesh.vertices_of(cell);
         const auto nodes = dofmap.of(cell);
         for (std::size_t node = 0; node < nodes.size(); ++node) {
             mesh::Point x{};

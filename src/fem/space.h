@@ -37,7 +37,8 @@ struct Space {
     std::vector<std::int32_t> boundary_nodes(const mesh::Mesh& mesh, std::int32_t boundary) const;
 };
 
-/// Numbers the nodes: vertices as in the mesh, then one node an edge for degree 2.
+/// Numbers the nodes: vertices as in the mesh, then for degree 2 one node an edge, and for tensor cells one a
+/// quadrilateral face and one a cell.
 Space make_space(const mesh::Mesh& mesh, int degree);
 
 }  // namespace thermocontact::fem

@@ -19,8 +19,9 @@ struct Assembler {
 
     fem::BlockMatrix operator()(const std::string& form, int rows, int columns) const {
         auto kernel = fem::find_kernel(form, mesh.cell, space.element.degree);
-        return fem::assemble_matrix({std::move(kernel), mesh, model::body_constants(scene)}, space, graph,
-                                    rows, columns);
+        return fem::assemble_matrix(
+            fem::Form::by_region(std::move(kernel), mesh, model::body_constants(scene, mesh)), space, graph,
+            rows, columns);
     }
 
     /// Nothing for physics that is absent.

@@ -45,7 +45,7 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
            const State& state, double k, const std::vector<model::Source>& sources)
     : team_(&strategy.team()),
       step_(k),
-      capacity_density_(scene.heat->capacity),
+      capacity_density_(model::uniform_capacity(scene)),
       loads_(model::Loads::thermal(scene, mesh, space, sources)),
       trial_(state.temperature) {
     const Assembler assemble{scene, mesh, space, graph};
@@ -53,7 +53,7 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
     conduction_ = assemble.when(scene.heat->conductivity.has_value(), "conduction.conduction", 1, 1);
     strain_heating_ =
         assemble.when(scene.heat->strain_heating.has_value(), "strain_heating.coupling", 1, scene.dimension);
-    gram_ = assemble.when(!scene.heat->capacity, "norms.temperature", 1, 1);
+    gram_ = assemble.when(!capacity_density_, "norms.temperature", 1, 1);
     if (!scene.material) {
         no_displacement_.assign(space.nodes.size() * static_cast<std::size_t>(scene.dimension), 0.0);
     }
@@ -117,16 +117,17 @@ void Heat::audit(const std::vector<double>& load) {
                        {"strain_heat_inflow", sums.strain}};
     const double sum = sums.storage + sums.outflow - sums.reaction - sums.load - sums.strain;
     heat_residual_ = sums.scale > 0 ? std::abs(sum) / sums.scale : 0.0;
-    record_ = {{"temperature_l2", capacity_ ? norm(trial_, new_stored_) : temperature_norm(trial_)}};
+    record_ = {{"temperature_l2", capacity_density_ ? norm(trial_, new_stored_) : temperature_norm(trial_)}};
     record_.insert(record_.end(), terms.begin(), terms.end());
     record_.emplace_back("heat_residual", heat_residual_);
 }
 
 double Heat::temperature_norm(const std::vector<double>& theta) const {
-    return norm(theta, (capacity_ ? *capacity_ : *gram_).multiply(theta));
+    return norm(theta, (gram_ ? *gram_ : *capacity_).multiply(theta));
 }
 
 double Heat::norm(const std::vector<double>& theta, const std::vector<double>& product) const {
+    // the capacity matrix is c times the Gram matrix
     const double square =
         team_->sum(as_eigen(theta).dot(as_eigen(product))) / capacity_density_.value_or(1.0);
     return std::sqrt(std::max(0.0, square));

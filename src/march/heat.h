@@ -48,9 +48,9 @@ class Heat {
 
     const parallel::Team* team_;
     double step_;
-    std::optional<double> capacity_density_;  ///< c
+    std::optional<double> capacity_density_;  ///< c, where it is uniform
     std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_;
-    std::optional<fem::BlockMatrix> gram_;  ///< without capacity
+    std::optional<fem::BlockMatrix> gram_;  ///< without uniform capacity
     model::Loads loads_;
     std::vector<double> trial_;            ///< theta_n, which the contact forms read
     std::vector<double> no_displacement_;  ///< for contact forms of a scene without mechanics

@@ -55,13 +55,13 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
     : team_(&strategy.team()),
       dimension_(scene.dimension),
       step_(k),
-      density_(scene.material->density),
+      density_(model::uniform_density(scene)),
       loads_(model::Loads::mechanical(scene, mesh, space, sources)),
       trial_(initial.velocity),
       old_displacement_(initial.displacement) {
     const Assembler assemble{scene, mesh, space, graph};
     const int d = dimension_;
-    mass_ = assemble.when(density_.has_value(), "inertia.mass", d, d);
+    mass_ = assemble.when(scene.material->density.has_value(), "inertia.mass", d, d);
     damping_ = assemble.when(scene.material->viscosity.has_value(), "viscosity.damping", d, d);
     stiffness_ = assemble.when(scene.material->elasticity.has_value(), "elasticity.stiffness", d, d);
     coupling_ = assemble.when(scene.heat && scene.heat->thermal_stress, "thermal_stress.coupling", d, 1);
@@ -181,7 +181,7 @@ void Momentum::audit(const std::vector<double>& load, const State& old, const st
 }
 
 double Momentum::velocity_norm(const std::vector<double>& w) const {
-    const fem::BlockMatrix& gram = mass_ ? *mass_ : *velocity_gram_;
+    const fem::BlockMatrix& gram = velocity_gram_ ? *velocity_gram_ : *mass_;
     return norm(gram, w) / std::sqrt(density_.value_or(1.0));
 }
 

@@ -60,10 +60,10 @@ class Momentum {
     const parallel::Team* team_;
     int dimension_;
     double step_;
-    std::optional<double> density_;
+    std::optional<double> density_;  ///< rho, where it is uniform
     std::optional<fem::BlockMatrix> mass_, damping_, stiffness_, coupling_;
     fem::BlockMatrix strain_gram_;
-    std::optional<fem::BlockMatrix> velocity_gram_;  ///< without inertia
+    std::optional<fem::BlockMatrix> velocity_gram_;  ///< without uniform density
     model::Loads loads_;
     std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
     std::unique_ptr<Balance> balance_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "error.h"
+#include "mesh/shapes.h"
 #include "model/nodal.h"
 #include "number.h"
 #include "solve/condensed_problem.h"
@@ -13,7 +14,7 @@ namespace thermocontact::march {
 namespace {
 
 parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend) {
-    mesh::Mesh mesh = mesh::make_rectangle(scene.mesh);
+    mesh::Mesh mesh = mesh::make_mesh(scene.mesh);
     fem::Space space = fem::make_space(mesh, scene.degree);
     const int processes = backend != nullptr ? backend->team().size() : 1;
     return parallel::take_part(std::move(mesh), std::move(space), processes,

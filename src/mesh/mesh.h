@@ -1,12 +1,11 @@
-/// A mesh as plain data, and the shapes that a scene can name.
+/// A mesh as plain data.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
-
-#include "scene/scene.h"
 
 namespace thermocontact::mesh {
 
@@ -21,23 +20,23 @@ struct Facet {
 
 struct Mesh {
     int dimension;
-    std::string cell;           ///< "triangle"
+    std::string cell;           ///< "triangle", "quadrilateral", "tetrahedron", "hexahedron"
     std::vector<Point> points;  ///< vertices, m
     int vertices_per_cell;
-    std::vector<std::int32_t> cells;          ///< [cells][vertices_per_cell], Basix vertex order
-    std::vector<Facet> facets;                ///< exterior facets with a name, sorted by boundary
-    std::vector<std::string> boundary_names;  ///< sorted
+    std::vector<std::int32_t> cells;              ///< [cells][vertices_per_cell], Basix vertex order
+    std::vector<Facet> facets;                    ///< exterior facets with a name, sorted by boundary
+    std::vector<std::string> boundary_names;      ///< sorted
+    std::vector<std::int32_t> cell_regions = {};  ///< [cells]: index into region_names; empty: no regions
+    std::vector<std::string> region_names = {};   ///< sorted
 
     std::int32_t cell_count() const {
         return static_cast<std::int32_t>(cells.size()) / static_cast<std::int32_t>(vertices_per_cell);
     }
+
+    std::span<const std::int32_t> vertices_of(std::int32_t cell_index) const {
+        const auto n = static_cast<std::size_t>(vertices_per_cell);
+        return {cells.data() + static_cast<std::size_t>(cell_index) * n, n};
+    }
 };
-
-/// The rectangle [lower, upper] in cells[0] x cells[1] squares, each cut along its right (lower left to upper
-/// right), left or both diagonals; boundaries bottom, left, right, top.
-Mesh make_rectangle(const scene::MeshSpec& spec);
-
-/// Names of the boundaries of a shape, sorted.
-std::vector<std::string> boundary_names(const std::string& shape);
 
 }  // namespace thermocontact::mesh

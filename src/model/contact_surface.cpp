@@ -21,10 +21,10 @@ bool depends_on_time(const scene::Contact& laws) {
            (laws.conductance && laws.conductance->foundation_temperature.depends_on_time());
 }
 
-/// On intervals m Gauss points are exact to degree 2 m - 1: the rule of an even degree is that of the next
-/// odd one.
-int gauss_rule(int degree) {
-    return degree == 0 ? 0 : degree | 1;
+/// On intervals and quadrilaterals m Gauss points a direction are exact to degree 2 m - 1: the rule of an
+/// even degree is that of the next odd one. On the triangles around a tetrahedron each degree has its own.
+int gauss_rule(int degree, const mesh::Mesh& mesh) {
+    return degree == 0 || mesh.cell == "tetrahedron" ? degree : degree | 1;
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mes
         auto surface =
             std::make_unique<ContactSurface>(ContactSurface{name,
                                                             *boundary.contact,
-                                                            gauss_rule(boundary.contact->quadrature),
+                                                            gauss_rule(boundary.contact->quadrature, mesh),
                                                             facets_of(mesh, name),
                                                             {},
                                                             {},

@@ -1,6 +1,7 @@
 #include "model/loads.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "model/nodal.h"
@@ -39,9 +40,7 @@ Loads Loads::mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const
 Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
                      const std::vector<Source>& sources) {
     Loads loads(mesh, space, 1);
-    if (scene.heat->source) {
-        loads.add("heat_source.load", "q0", {*scene.heat->source}, {});
-    }
+    loads.add_sources(scene);
     for (const auto& [name, boundary] : scene.boundaries) {
         if (boundary.heat_flux) {
             loads.add("heat_flux.load", "flux", {*boundary.heat_flux}, facets_of(mesh, name));
@@ -51,8 +50,27 @@ Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fe
     return loads;
 }
 
+/// The heat source of each region on its cells, and the scene's own on the others.
+void Loads::add_sources(const scene::Scene& scene) {
+    std::map<std::string, std::vector<std::int32_t>> cells;  // by region; "": those of the scene's own
+    for (std::int32_t cell = 0; !scene.regions.empty() && cell < mesh_->cell_count(); ++cell) {
+        const std::int32_t region = mesh_->cell_regions[static_cast<std::size_t>(cell)];
+        const std::string name = region < 0 ? "" : mesh_->region_names[static_cast<std::size_t>(region)];
+        cells[scene.regions.contains(name) ? name : ""].push_back(cell);
+    }
+    for (const auto& [name, region] : scene.regions) {
+        if (region.heat && region.heat->source && !cells[name].empty()) {
+            add("heat_source.load", "q0", {*region.heat->source}, {}, cells[name]);
+        }
+    }
+    if (scene.heat->source && (scene.regions.empty() || !cells[""].empty())) {
+        add("heat_source.load", "q0", {*scene.heat->source}, {}, cells[""]);
+    }
+}
+
 void Loads::add(const std::string& kernel, const std::string& coefficient,
-                std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets) {
+                std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets,
+                std::vector<std::int32_t> cells) {
     auto term = std::make_unique<Term>();
     term->expressions = std::move(expressions);
     term->nodal.resize(constant_.size());
@@ -70,6 +88,7 @@ void Loads::add(const std::string& kernel, const std::string& coefficient,
         term->nodes.erase(repeated.begin(), repeated.end());
     }
     term->facets = std::move(facets);
+    term->cells = std::move(cells);
     const fem::Fields fields{{coefficient, {&term->nodal, components_, &space_->dofmap}}};
     term->form = std::make_unique<fem::Form>(fem::find_kernel(kernel, mesh_->cell, space_->element.degree),
                                              *mesh_, fem::Constants{}, fields);
@@ -97,7 +116,9 @@ void Loads::add(const Source& source) {
 void Loads::assemble(Term& term, double t, std::vector<double>& vector) {
     term.form->set_constant("t", t);
     interpolate_at(*space_, term.expressions, term.nodes, t, term.nodal);
-    if (term.facets.empty()) {
+    if (!term.cells.empty()) {
+        fem::assemble_cells(*term.form, term.cells, space_->dofmap, components_, vector);
+    } else if (term.facets.empty()) {
         fem::assemble_cells(*term.form, space_->dofmap, components_, vector);
     } else {
         fem::assemble_facets(*term.form, term.facets, space_->dofmap, components_, vector);

@@ -41,13 +41,16 @@ class Loads {
         std::vector<double> nodal;                   ///< interpolated expressions
         std::vector<std::int32_t> nodes;
         std::vector<mesh::Facet> facets;  ///< empty: over the cells
+        std::vector<std::int32_t> cells;  ///< these alone; empty: all
         std::unique_ptr<fem::Form> form;
     };
 
     Loads(const mesh::Mesh& mesh, const fem::Space& space, int components);
     void add(const std::string& kernel, const std::string& coefficient,
-             std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets);
+             std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets,
+             std::vector<std::int32_t> cells = {});
     void add(const Source& source);
+    void add_sources(const scene::Scene& scene);
     void assemble(Term& term, double t, std::vector<double>& vector);
 
     const mesh::Mesh* mesh_;

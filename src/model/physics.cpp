@@ -57,8 +57,11 @@ std::vector<std::string> physics_of(const scene::Scene& scene) {
     return names;
 }
 
-fem::Constants body_constants(const scene::Scene& scene) {
-    const auto d = static_cast<std::size_t>(scene.dimension);
+namespace {
+
+fem::Constants constants_of(const std::optional<scene::Material>& the_material,
+                            const std::optional<scene::Heat>& the_heat, int dimension) {
+    const auto d = static_cast<std::size_t>(dimension);
     const std::size_t voigt = d * (d + 1) / 2;
     fem::Constants constants;
     const auto tensor4 = [&](const std::string& name, const std::optional<scene::VoigtTensor>& tensor) {
@@ -69,8 +72,8 @@ fem::Constants body_constants(const scene::Scene& scene) {
         constants[name] = tensor ? tensor->matrix : std::vector<double>(d * d, 0.0);
         constants[name + "_zz"] = {tensor ? tensor->out_of_plane : 0.0};
     };
-    const scene::Material material = scene.material.value_or(scene::Material{});
-    const scene::Heat heat = scene.heat.value_or(scene::Heat{});
+    const scene::Material material = the_material.value_or(scene::Material{});
+    const scene::Heat heat = the_heat.value_or(scene::Heat{});
     constants["rho"] = {material.density.value_or(0.0)};
     constants["c"] = {heat.capacity.value_or(0.0)};
     tensor4("E", material.elasticity);
@@ -79,6 +82,43 @@ fem::Constants body_constants(const scene::Scene& scene) {
     tensor2("M", heat.thermal_stress);
     tensor2("R", heat.strain_heating);
     return constants;
+}
+
+/// `value` of the defaults, unless `of_region` says otherwise for some region.
+template <typename OfRegion>
+std::optional<double> uniform(const scene::Scene& scene, std::optional<double> value, OfRegion of_region) {
+    const bool differs = std::ranges::any_of(
+        scene.regions, [&](const auto& entry) { return of_region(entry.second) != value; });
+    return differs ? std::nullopt : value;
+}
+
+}  // namespace
+
+fem::Constants body_constants(const scene::Scene& scene) {
+    return constants_of(scene.material, scene.heat, scene.dimension);
+}
+
+std::vector<fem::Constants> body_constants(const scene::Scene& scene, const mesh::Mesh& mesh) {
+    std::vector<fem::Constants> constants;
+    for (const std::string& name : mesh.region_names) {
+        const auto region = scene.regions.find(name);
+        constants.push_back(
+            region == scene.regions.end()
+                ? body_constants(scene)
+                : constants_of(region->second.material, region->second.heat, scene.dimension));
+    }
+    constants.push_back(body_constants(scene));
+    return constants;
+}
+
+std::optional<double> uniform_density(const scene::Scene& scene) {
+    return uniform(scene, scene.material ? scene.material->density : std::nullopt,
+                   [](const scene::Region& region) { return region.material->density; });
+}
+
+std::optional<double> uniform_capacity(const scene::Scene& scene) {
+    return uniform(scene, scene.heat ? scene.heat->capacity : std::nullopt,
+                   [](const scene::Region& region) { return region.heat->capacity; });
 }
 
 fem::Constants contact_constants(const scene::Contact& contact, double step) {

@@ -23,7 +23,8 @@ StressProbe::StressProbe(const scene::Scene& scene, const mesh::Mesh& mesh, cons
                              {"s", {&stress_, 6, &space.cellwise}}};
     const auto form = [&](const char* name) {
         auto kernel = fem::find_kernel(name, mesh.cell, scene.degree);
-        return std::make_unique<fem::Form>(std::move(kernel), mesh, body_constants(scene), fields);
+        return std::make_unique<fem::Form>(
+            fem::Form::by_region(std::move(kernel), mesh, body_constants(scene, mesh), fields));
     };
     integrated_ = form("stress.integrated");
     von_mises_ = form("stress.von_mises");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "model/physics.h"
 
@@ -16,12 +17,24 @@ struct VtkCell {
     std::vector<std::size_t> nodes;
 };
 
-VtkCell vtk_body_cell(int degree) {
-    return degree == 1 ? VtkCell{5, {0, 1, 2}} : VtkCell{22, {0, 1, 2, 5, 3, 4}};
+VtkCell vtk_cell(const std::string& cell, int degree) {
+    static const std::map<std::pair<std::string, int>, VtkCell> cells = {
+        {{"interval", 1}, {3, {0, 1}}},
+        {{"interval", 2}, {21, {0, 1, 2}}},
+        {{"triangle", 1}, {5, {0, 1, 2}}},
+        {{"triangle", 2}, {22, {0, 1, 2, 5, 3, 4}}},
+        {{"quadrilateral", 1}, {9, {0, 1, 3, 2}}},
+        {{"quadrilateral", 2}, {28, {0, 1, 3, 2, 4, 6, 7, 5, 8}}},
+        {{"tetrahedron", 1}, {10, {0, 1, 2, 3}}},
+        {{"tetrahedron", 2}, {24, {0, 1, 2, 3, 9, 6, 8, 7, 5, 4}}},
+        {{"hexahedron", 1}, {12, {0, 1, 3, 2, 4, 5, 7, 6}}},
+        {{"hexahedron", 2}, {29, {0,  1,  3,  2,  4,  5,  7,  6,  8,  11, 13, 9,  16, 18,
+                                  19, 17, 10, 12, 15, 14, 22, 23, 21, 24, 20, 25, 26}}}};
+    return cells.at({cell, degree});
 }
 
-VtkCell vtk_facet_cell(int degree) {
-    return degree == 1 ? VtkCell{3, {0, 1}} : VtkCell{21, {0, 1, 2}};
+std::string facet_cell(const mesh::Mesh& mesh) {
+    return mesh.dimension == 2 ? "interval" : mesh.cell == "tetrahedron" ? "triangle" : "quadrilateral";
 }
 
 /// The array of that name, made with zeros [points][components] if it is new: surfaces without the law keep
@@ -70,7 +83,7 @@ FieldGrids::FieldGrids(const scene::Scene& scene, march::Simulation& simulation)
 
 VtuGrid FieldGrids::body_cells() const {
     const fem::Space& space = simulation_->space();
-    const VtkCell cell = vtk_body_cell(scene_->degree);
+    const VtkCell cell = vtk_cell(simulation_->mesh().cell, scene_->degree);
     VtuGrid grid{{}, cell.type, static_cast<int>(cell.nodes.size()), {}, {}, {}, {}, {}};
     for (const mesh::Point& x : space.nodes) {
         grid.points.insert(grid.points.end(), x.begin(), x.end());
@@ -107,7 +120,7 @@ VtuGrid FieldGrids::body() {
 
 VtuGrid FieldGrids::contact_cells() const {
     const fem::Space& space = simulation_->space();
-    const VtkCell cell = vtk_facet_cell(scene_->degree);
+    const VtkCell cell = vtk_cell(facet_cell(simulation_->mesh()), scene_->degree);
     VtuGrid grid{{}, cell.type, static_cast<int>(cell.nodes.size()), {}, {}, {}, {}, {}};
     grid.cell_integers.push_back({"boundary", {}});
     std::int32_t boundary = 0;

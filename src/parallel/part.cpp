@@ -57,6 +57,9 @@ mesh::Mesh part_of(const mesh::Mesh& whole, const Selection& cells) {
     mesh::Mesh part = whole;
     const auto width = static_cast<std::size_t>(whole.vertices_per_cell);
     part.cells = rows_of(whole.cells, width, cells.kept);
+    if (!whole.cell_regions.empty()) {
+        part.cell_regions = rows_of(whole.cell_regions, 1, cells.kept);
+    }
     const Selection vertices(part.cells, whole.points.size());
     for (std::int32_t& vertex : part.cells) {
         vertex = vertices(vertex);

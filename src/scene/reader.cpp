@@ -1,5 +1,6 @@
 #include "scene/reader.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "scene/document.h"
@@ -24,17 +25,13 @@ std::string text(const Settings& s, const std::string& name) {
     return s.value(name).get<std::string>();
 }
 
-std::optional<double> optional_number(const Settings& s, const std::string& name) {
-    return s.has(name) ? std::optional(number(s, name)) : std::nullopt;
-}
-
-Expression to_expression(const json& value) {
-    return value.is_string() ? Expression(value.get<std::string>(), dimension)
+Expression to_expression(const Settings& s, const json& value) {
+    return value.is_string() ? Expression(value.get<std::string>(), s.body.dimension)
                              : Expression(value.get<double>());
 }
 
 std::optional<Expression> optional_expression(const Settings& s, const std::string& name) {
-    return s.has(name) ? std::optional(to_expression(s.value(name))) : std::nullopt;
+    return s.has(name) ? std::optional(to_expression(s, s.value(name))) : std::nullopt;
 }
 
 /// Empty when the key is absent.
@@ -42,7 +39,7 @@ std::vector<Expression> expressions(const Settings& s, const std::string& name) 
     std::vector<Expression> list;
     if (s.has(name)) {
         for (const auto& item : s.value(name)) {
-            list.push_back(to_expression(item));
+            list.push_back(to_expression(s, item));
         }
     }
     return list;
@@ -52,7 +49,7 @@ std::vector<std::optional<Expression>> free_expressions(const Settings& s, const
     std::vector<std::optional<Expression>> list;
     if (s.has(name)) {
         for (const auto& item : s.value(name)) {
-            list.push_back(item == "free" ? std::nullopt : std::optional(to_expression(item)));
+            list.push_back(item == "free" ? std::nullopt : std::optional(to_expression(s, item)));
         }
     }
     return list;
@@ -68,23 +65,39 @@ std::vector<double> flat(const json& rows) {
     return values;
 }
 
-/// An isotropic body in plane strain, the only one whose stresses along z are known and not zero.
-bool is_isotropic_plane_strain(const Settings& s) {
-    return s.has("material.elasticity.plane") && text(s, "material.elasticity.plane") == "strain";
+/// How the body deforms; a Voigt matrix says nothing of plane strain.
+Kinematics kinematics_of(const Settings& s) {
+    if (s.body.dimension == 3) {
+        return Kinematics::space;
+    }
+    const auto is_strain = [&](const std::string& key) { return s.has(key) && text(s, key) == "strain"; };
+    const bool strain = is_strain("material.elasticity.plane") ||
+                        std::ranges::any_of(s.regions, [&](const std::string& region) {
+                            return is_strain("region." + region + ".material.elasticity.plane");
+                        });
+    return strain ? Kinematics::plane_strain : Kinematics::plane_stress;
 }
 
-std::optional<SymmetricTensor> symmetric_tensor(const Settings& s, const std::string& name) {
-    if (!s.has(name)) {
-        return std::nullopt;
+/// The tensor of a key if it is there; a number is a multiple of the identity.
+void read_tensor(const Settings& s, const std::string& name, std::optional<SymmetricTensor>& tensor) {
+    if (s.has(name)) {
+        const json& value = s.value(name);
+        tensor = SymmetricTensor{value.is_number() ? scaled_identity(value.get<double>(), s.body.dimension)
+                                                   : flat(value)};
     }
-    const json& value = s.value(name);
-    return SymmetricTensor{value.is_number() ? scaled_identity(value.get<double>(), dimension) : flat(value)};
 }
 
 MeshSpec read_mesh(const Settings& s) {
-    return {text(s, "mesh.shape"), s.value("mesh.lower").get<std::vector<double>>(),
-            s.value("mesh.upper").get<std::vector<double>>(), s.value("mesh.cells").get<std::vector<int>>(),
-            text(s, "mesh.diagonal")};
+    if (s.body.mesh) {
+        return {"", {}, {}, {}, "", "", s.body.mesh};
+    }
+    return {text(s, "mesh.shape"),
+            s.value("mesh.lower").get<std::vector<double>>(),
+            s.value("mesh.upper").get<std::vector<double>>(),
+            s.value("mesh.cells").get<std::vector<int>>(),
+            s.has("mesh.diagonal") ? text(s, "mesh.diagonal") : "",
+            text(s, "mesh.cell"),
+            nullptr};
 }
 
 TimeSpec read_time(const Settings& s) {
@@ -93,42 +106,59 @@ TimeSpec read_time(const Settings& s) {
     return {end, steps, text(s, "time.scheme")};
 }
 
-std::optional<Material> read_material(const Settings& s) {
-    if (!s.written("material")) {
-        return std::nullopt;
+/// The laws that are written below `at` ("" or "region.NAME.") over those of `material`.
+Material read_material(const Settings& s, const std::string& at, Material material) {
+    const Kinematics kinematics = kinematics_of(s);
+    if (const std::string key = at + "material.density"; s.has(key)) {
+        material.density = number(s, key);
     }
-    Material material;
-    material.density = optional_number(s, "material.density");
-    const bool strain = is_isotropic_plane_strain(s);
-    if (s.has("material.elasticity.tensor")) {
-        material.elasticity = general_tensor(flat(s.value("material.elasticity.tensor")));
-    } else if (s.has("material.elasticity.young")) {
-        material.elasticity = isotropic_elasticity(number(s, "material.elasticity.young"),
-                                                   number(s, "material.elasticity.poisson"), strain);
+    if (const std::string law = at + "material.elasticity"; s.has(law + ".tensor")) {
+        material.elasticity = general_tensor(flat(s.value(law + ".tensor")));
+    } else if (s.has(law + ".young")) {
+        material.elasticity =
+            isotropic_elasticity(number(s, law + ".young"), number(s, law + ".poisson"), kinematics);
     }
-    if (s.has("material.viscosity.tensor")) {
-        material.viscosity = general_tensor(flat(s.value("material.viscosity.tensor")));
-    } else if (s.has("material.viscosity.trace")) {
-        material.viscosity = isotropic_viscosity(number(s, "material.viscosity.trace"),
-                                                 number(s, "material.viscosity.shear"), strain);
+    if (const std::string law = at + "material.viscosity"; s.has(law + ".tensor")) {
+        material.viscosity = general_tensor(flat(s.value(law + ".tensor")));
+    } else if (s.has(law + ".trace")) {
+        material.viscosity =
+            isotropic_viscosity(number(s, law + ".trace"), number(s, law + ".shear"), kinematics);
     }
     return material;
 }
 
-std::optional<Heat> read_heat(const Settings& s) {
-    if (!s.written("heat")) {
-        return std::nullopt;
+/// The same for heat.
+Heat read_heat(const Settings& s, const std::string& at, Heat heat) {
+    if (const std::string key = at + "heat.capacity"; s.has(key)) {
+        heat.capacity = number(s, key);
     }
-    Heat heat;
-    heat.capacity = optional_number(s, "heat.capacity");
-    heat.conductivity = symmetric_tensor(s, "heat.conductivity");
-    heat.source = optional_expression(s, "heat.source");
-    heat.thermal_stress = symmetric_tensor(s, "heat.thermal_stress");
-    heat.strain_heating = symmetric_tensor(s, "heat.strain_heating");
-    if (heat.thermal_stress && s.value("heat.thermal_stress").is_number() && is_isotropic_plane_strain(s)) {
-        heat.thermal_stress->out_of_plane = number(s, "heat.thermal_stress");
+    if (const std::string key = at + "heat.source"; s.has(key)) {
+        heat.source = to_expression(s, s.value(key));
+    }
+    read_tensor(s, at + "heat.conductivity", heat.conductivity);
+    read_tensor(s, at + "heat.thermal_stress", heat.thermal_stress);
+    read_tensor(s, at + "heat.strain_heating", heat.strain_heating);
+    const std::string coupling = at + "heat.thermal_stress";
+    if (s.has(coupling) && s.value(coupling).is_number() && kinematics_of(s) == Kinematics::plane_strain) {
+        heat.thermal_stress->out_of_plane = number(s, coupling);
     }
     return heat;
+}
+
+std::map<std::string, Region> read_regions(const Settings& s, const Scene& scene) {
+    std::map<std::string, Region> regions;
+    for (const std::string& name : s.regions) {
+        const std::string at = "region." + name + ".";
+        Region region{scene.material, scene.heat};
+        if (region.material) {
+            region.material = read_material(s, at, *region.material);
+        }
+        if (region.heat) {
+            region.heat = read_heat(s, at, *region.heat);
+        }
+        regions.emplace(name, std::move(region));
+    }
+    return regions;
 }
 
 std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
@@ -136,7 +166,7 @@ std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
         return std::nullopt;
     }
     Contact contact;
-    contact.gap = to_expression(s.value(at + ".gap"));
+    contact.gap = to_expression(s, s.value(at + ".gap"));
     contact.quadrature = s.value(at + ".quadrature") == "vertex" ? 0 : integer(s, at + ".quadrature");
     if (s.written(at + ".compliance")) {
         contact.compliance = {number(s, at + ".compliance.stiffness"),
@@ -148,7 +178,7 @@ std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
     }
     if (const std::string law = at + ".conductance"; s.written(law)) {
         contact.conductance = {number(s, law + ".coefficient"), number(s, law + ".onset"),
-                               to_expression(s.value(law + ".foundation_temperature"))};
+                               to_expression(s, s.value(law + ".foundation_temperature"))};
         if (s.has(law + ".limit")) {
             contact.conductance->limit = number(s, law + ".limit");
         }
@@ -161,6 +191,20 @@ Boundary read_boundary(const Settings& s, const std::string& name) {
     return {free_expressions(s, at + ".displacement"), expressions(s, at + ".traction"),
             optional_expression(s, at + ".temperature"), optional_expression(s, at + ".heat_flux"),
             read_contact(s, at + ".contact")};
+}
+
+/// Takes keys out of force that mean nothing in this body.
+void drop_meaningless(Settings& s) {
+    const auto drop = [&](const std::string& name) {
+        s.by_name.erase(name);
+        std::erase(s.in_schema_order, name);
+    };
+    if (s.body.dimension == 3) {
+        drop("material.elasticity.plane");
+    }
+    if (s.has("mesh.cell") && (s.body.dimension == 3 || text(s, "mesh.cell") == "tensor")) {
+        drop("mesh.diagonal");
+    }
 }
 
 void complete_fields(Settings& s) {
@@ -178,17 +222,23 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
     const Document document = read_document(path, overrides);
     Settings s = check_document(document);
     check_rules(s);
+    drop_meaningless(s);
     complete_fields(s);
 
     Scene scene;
     scene.title = text(s, "title");
     scene.path = path;
-    scene.dimension = dimension;
+    scene.dimension = s.body.dimension;
     scene.degree = integer(s, "space.degree");
     scene.mesh = read_mesh(s);
     scene.time = read_time(s);
-    scene.material = read_material(s);
-    scene.heat = read_heat(s);
+    if (s.written("material")) {
+        scene.material = read_material(s, "", {});
+    }
+    if (s.written("heat")) {
+        scene.heat = read_heat(s, "", {});
+    }
+    scene.regions = read_regions(s, scene);
     scene.body_force = expressions(s, "load.body_force");
     scene.initial = {expressions(s, "initial.displacement"), expressions(s, "initial.velocity"),
                      optional_expression(s, "initial.temperature")};

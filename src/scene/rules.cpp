@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double most_squares = 1e8;  // keeps every count of a mesh within 32 bits
+constexpr double most_cells = 1e8;  // keeps every count of a mesh within 32 bits
 
 [[noreturn]] void fail_at(const Settings& settings, const std::string& name, const std::string& message) {
     const Entry* entry = settings.document->find(name);
@@ -24,7 +24,19 @@ constexpr double most_squares = 1e8;  // keeps every count of a mesh within 32 b
          name + ": " + message);
 }
 
+/// Plane states of stress have no meaning in space.
+void check_plane_keys(const Settings& settings) {
+    for (const auto& [name, setting] : settings.by_name) {
+        if (setting.key->leaf() == "plane" && settings.written(name) && settings.body.dimension == 3) {
+            fail_at(settings, name, "the body has three dimensions; leave it out");
+        }
+    }
+}
+
 void check_mesh(const Settings& settings) {
+    if (settings.written("mesh.file")) {
+        return;
+    }
     const json& lower = settings.value("mesh.lower");
     const json& upper = settings.value("mesh.upper");
     for (std::size_t i = 0; i < lower.size(); ++i) {
@@ -41,13 +53,13 @@ void check_mesh(const Settings& settings) {
             settings, "mesh.lower",
             "expected to be below mesh.upper = " + show(upper) + " in every component, found " + show(lower));
     }
-    double squares = 1;
+    double cells = 1;
     for (const auto& count : settings.value("mesh.cells")) {
-        squares *= count.get<double>();
+        cells *= count.get<double>();
     }
-    if (squares > most_squares) {
+    if (cells > most_cells) {
         fail_at(settings, "mesh.cells",
-                "expected at most " + number_text(most_squares) + " squares, found " + number_text(squares));
+                "expected at most " + number_text(most_cells) + " cells, found " + number_text(cells));
     }
 }
 
@@ -90,23 +102,36 @@ bool is_finite(const VoigtTensor& tensor) {
     return true;
 }
 
-void check_isotropic(const Settings& settings) {
-    if (settings.has("material.viscosity.trace")) {
-        const double mu1 = settings.value("material.viscosity.trace").get<double>();
-        const double mu2 = settings.value("material.viscosity.shear").get<double>();
-        if (!is_finite(isotropic_viscosity(mu1, mu2, true)) || 2 * mu1 + mu2 < 0) {
-            fail_at(settings, "material.viscosity.trace",
-                    "expected a number >= -shear/2 = " + number_text(-mu2 / 2) +
+/// `at`: "" or "region.NAME.".
+void check_isotropic(const Settings& settings, const std::string& at) {
+    const int d = settings.body.dimension;
+    if (const std::string law = at + "material.viscosity"; settings.has(law + ".trace")) {
+        const double mu1 = settings.value(law + ".trace").get<double>();
+        const double mu2 = settings.value(law + ".shear").get<double>();
+        if (!is_finite(isotropic_viscosity(mu1, mu2, plane_strain(d))) || d * mu1 + mu2 < 0) {
+            fail_at(settings, law + ".trace",
+                    "expected a number >= -shear/" + std::to_string(d) + " = " + number_text(-mu2 / d) +
                         " (Pa s) so that viscosity never produces energy, found " + number_text(mu1));
         }
     }
-    if (settings.has("material.elasticity.young")) {
-        const double young = settings.value("material.elasticity.young").get<double>();
-        const double poisson = settings.value("material.elasticity.poisson").get<double>();
-        const bool strain = settings.value("material.elasticity.plane") == "strain";
-        if (!is_finite(isotropic_elasticity(young, poisson, strain))) {
-            fail_at(settings, "material.elasticity.young",
-                    "the elasticity tensor overflows, found " + number_text(young));
+    if (const std::string law = at + "material.elasticity"; settings.has(law + ".young")) {
+        const double young = settings.value(law + ".young").get<double>();
+        const double poisson = settings.value(law + ".poisson").get<double>();
+        if (!is_finite(isotropic_elasticity(young, poisson, plane_strain(d)))) {
+            fail_at(settings, law + ".young", "the elasticity tensor overflows, found " + number_text(young));
+        }
+    }
+}
+
+/// A body is in plane stress or in plane strain as a whole.
+void check_planes(const Settings& settings) {
+    const Setting* general = settings.find("material.elasticity.plane");
+    for (const std::string& region : settings.regions) {
+        const Setting* own = settings.find("region." + region + ".material.elasticity.plane");
+        if (own != nullptr && general != nullptr && own->value != general->value) {
+            fail_at(
+                settings, "region." + region + ".material.elasticity.plane",
+                "expected that of the whole body, " + show(general->value) + ", found " + show(own->value));
         }
     }
 }
@@ -118,11 +143,11 @@ int traction_on_prescribed(const Settings& settings, const std::string& at) {
     }
     const json& traction = settings.value(at + "traction");
     const json& displacement = settings.value(at + "displacement");
-    for (int i = 0; i < dimension; ++i) {
+    for (int i = 0; i < settings.body.dimension; ++i) {
         const auto component = static_cast<std::size_t>(i);
         const json& f = traction[component];
-        const Expression value =
-            f.is_string() ? Expression(f.get<std::string>(), dimension) : Expression(f.get<double>());
+        const Expression value = f.is_string() ? Expression(f.get<std::string>(), settings.body.dimension)
+                                               : Expression(f.get<double>());
         if (displacement[component] != "free" && !value.is_zero()) {
             return i;
         }
@@ -206,7 +231,12 @@ void check_rules(const Settings& settings) {
     check_mesh(settings);
     check_time(settings);
     check_physics(settings);
-    check_isotropic(settings);
+    check_plane_keys(settings);
+    check_isotropic(settings, "");
+    for (const std::string& region : settings.regions) {
+        check_isotropic(settings, "region." + region + ".");
+    }
+    check_planes(settings);
     for (const std::string& boundary : settings.boundaries) {
         check_boundary(settings, boundary);
     }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -13,14 +14,20 @@
 
 #include "scene/expression.h"
 
+namespace thermocontact::mesh {
+struct Mesh;
+}
+
 namespace thermocontact::scene {
 
 struct MeshSpec {
-    std::string shape;          ///< "rectangle"
-    std::vector<double> lower;  ///< [d], m
-    std::vector<double> upper;  ///< [d], m
-    std::vector<int> cells;     ///< [d]
-    std::string diagonal;       ///< "right" | "left" | "crossed"
+    std::string shape;             ///< "rectangle" | "box"; empty: `file` says
+    std::vector<double> lower;     ///< [d], m
+    std::vector<double> upper;     ///< [d], m
+    std::vector<int> cells;        ///< [d]
+    std::string diagonal;          ///< "right" | "left" | "crossed", for rectangles of simplices
+    std::string cell = "simplex";  ///< "simplex" | "tensor"
+    std::shared_ptr<const mesh::Mesh> file = {};  ///< the mesh of a file, as read; empty: a shape
 };
 
 struct TimeSpec {
@@ -29,8 +36,9 @@ struct TimeSpec {
     std::string scheme;  ///< "backward-euler"
 };
 
-/// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s], s
-/// = 3 in 2D (xx, yy, xy). `out_of_plane` [s] gives sigma_zz for plane strain (zero otherwise).
+/// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s]; s
+/// = 3 in 2D (xx, yy, xy) and 6 in 3D (xx, yy, zz, yz, xz, xy). `out_of_plane` [s] gives sigma_zz for plane
+/// strain (zero otherwise, empty in 3D).
 struct VoigtTensor {
     std::vector<double> matrix;
     std::vector<double> out_of_plane;
@@ -55,6 +63,13 @@ struct Heat {
     std::optional<Expression> source;               ///< W/m^3
     std::optional<SymmetricTensor> thermal_stress;  ///< M, Pa/K
     std::optional<SymmetricTensor> strain_heating;  ///< R, Pa/K (W/m^3 per unit strain)
+};
+
+/// What one named region of the mesh is made of: the scene's defaults with the region's own numbers over
+/// them.
+struct Region {
+    std::optional<Material> material;
+    std::optional<Heat> heat;
 };
 
 struct Initial {
@@ -117,7 +132,8 @@ struct Scene {
     TimeSpec time;
     std::optional<Material> material;
     std::optional<Heat> heat;
-    std::vector<Expression> body_force;  ///< [d] N/m^3; size 0: none
+    std::map<std::string, Region> regions;  ///< those that differ from the defaults
+    std::vector<Expression> body_force;     ///< [d] N/m^3; size 0: none
     Initial initial;
     std::map<std::string, Boundary> boundaries;
     SolverSpec solver;

@@ -31,7 +31,7 @@ std::string with_unit(const std::string& text, const Key& key) {
     return key.unit.empty() ? text : text + " (" + key.unit + ")";
 }
 
-std::string variables() {
+std::string variables(int dimension) {
     return dimension == 3 ? "x, y, z, t" : "x, y, t";
 }
 
@@ -94,28 +94,25 @@ bool is_always_present(const std::string& table) {
     return names.contains(table);
 }
 
+bool is_named(const std::vector<std::string>& parts) {
+    return parts.size() > 1 && (parts[0] == "boundary" || parts[0] == "region");
+}
+
 std::string pattern_of(const std::string& name) {
     auto parts = split(name);
-    if (parts.size() > 1 && parts[0] == "boundary") {
+    if (is_named(parts)) {
         parts[1] = placeholder;
     }
     return join(parts, parts.size());
 }
 
-std::string instance_of(const std::string& pattern, const std::string& boundary) {
+std::string instance_of(const std::string& pattern, const std::string& name) {
     auto parts = split(pattern);
-    std::replace(parts.begin(), parts.end(), std::string(placeholder), boundary);
+    std::replace(parts.begin(), parts.end(), std::string(placeholder), name);
     return join(parts, parts.size());
 }
 
-std::vector<std::string> boundary_names(const std::string& shape) {
-    static const std::map<std::string, std::vector<std::string>> names = {
-        {"rectangle", {"left", "right", "bottom", "top"}}};
-    return names.at(shape);
-}
-
 std::string type_name(Type type) {
-    const std::string d = std::to_string(dimension);
     switch (type) {
         case Type::text:
             return "string";
@@ -130,15 +127,15 @@ std::string type_name(Type type) {
         case Type::number:
             return "number";
         case Type::numbers:
-            return d + " numbers";
+            return "d numbers";
         case Type::integers:
-            return d + " integers";
+            return "d integers";
         case Type::expression:
             return "expression";
         case Type::expressions:
-            return d + " expressions";
+            return "d expressions";
         case Type::free_expressions:
-            return d + " expressions or free";
+            return "d expressions or free";
         case Type::symmetric_tensor:
             return "symmetric tensor";
         case Type::semidefinite_tensor:
@@ -149,7 +146,7 @@ std::string type_name(Type type) {
     return {};
 }
 
-std::string expectation(const Key& key) {
+std::string expectation(const Key& key, int dimension) {
     const std::string array = "an array of " + std::to_string(dimension) + " ";
     switch (key.type) {
         case Type::text:
@@ -169,17 +166,17 @@ std::string expectation(const Key& key) {
         case Type::integers:
             return with_unit(array + ranged("integers", key), key);
         case Type::expression:
-            return with_unit("a number or an expression in " + variables(), key);
+            return with_unit("a number or an expression in " + variables(dimension), key);
         case Type::expressions:
-            return with_unit(array + "numbers or expressions in " + variables(), key);
+            return with_unit(array + "numbers or expressions in " + variables(dimension), key);
         case Type::free_expressions:
-            return with_unit(array + "numbers, expressions in " + variables() + " or \"free\"", key);
+            return with_unit(array + "numbers, expressions in " + variables(dimension) + " or \"free\"", key);
         case Type::symmetric_tensor:
             return with_unit("a number or a symmetric " + matrix(dimension), key);
         case Type::semidefinite_tensor:
             return with_unit("a number > 0 or a symmetric positive semidefinite " + matrix(dimension), key);
         case Type::voigt_tensor:
-            return with_unit("a symmetric positive semidefinite " + matrix(voigt_size), key);
+            return with_unit("a symmetric positive semidefinite " + matrix(voigt_size(dimension)), key);
     }
     return {};
 }

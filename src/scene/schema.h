@@ -9,8 +9,10 @@
 
 namespace thermocontact::scene {
 
-constexpr int dimension = 2;   ///< of the shapes there are
-constexpr int voigt_size = 3;  ///< components of a symmetric tensor
+/// Components of a symmetric tensor in d dimensions.
+constexpr int voigt_size(int d) {
+    return d * (d + 1) / 2;
+}
 
 enum class Type {
     text,
@@ -26,7 +28,7 @@ enum class Type {
     free_expressions,     ///< [d], each possibly "free"
     symmetric_tensor,     ///< number or symmetric d x d matrix
     semidefinite_tensor,  ///< number > 0 or symmetric positive semidefinite d x d matrix
-    voigt_tensor          ///< symmetric positive semidefinite 3 x 3 matrix
+    voigt_tensor          ///< symmetric positive semidefinite matrix, 3 x 3 in 2D, 6 x 6 in 3D
 };
 
 struct Range {
@@ -40,8 +42,8 @@ struct Range {
     std::string text() const;  ///< "> 0", "in (-1, 0.5)"; empty: unlimited
 };
 
-/// Names are dotted; NAME stands for a boundary's name. Defaults and examples are JSON text that is TOML as
-/// well.
+/// Names are dotted; NAME stands for a boundary's or a region's name. Defaults and examples are JSON text
+/// that is TOML as well.
 struct Key {
     std::string name;
     Type type;
@@ -73,20 +75,20 @@ bool is_table(const std::string& pattern);
 /// be there.
 bool is_always_present(const std::string& table);
 
+/// Whether `parts` of a dotted name go through a named boundary or region, which is then parts[1].
+bool is_named(const std::vector<std::string>& parts);
+
 /// "boundary.left.traction" -> "boundary.NAME.traction"; other names unchanged.
 std::string pattern_of(const std::string& name);
 
-/// The inverse, for boundary `boundary`; names without NAME unchanged.
-std::string instance_of(const std::string& pattern, const std::string& boundary);
+/// The inverse, for the boundary or region `name`; names without NAME unchanged.
+std::string instance_of(const std::string& pattern, const std::string& name);
 
-/// Names of the sides of a mesh shape.
-std::vector<std::string> boundary_names(const std::string& shape);
-
-/// "integer", "2 numbers", ...
+/// "integer", "d numbers", ...
 std::string type_name(Type type);
 
-/// What a message says was expected: "a number > 0 (kg/m^3)".
-std::string expectation(const Key& key);
+/// What a message says was expected in `dimension` dimensions: "a number > 0 (kg/m^3)".
+std::string expectation(const Key& key, int dimension);
 
 /// The reference in `format` "toml", "json" or "markdown".
 std::string print_schema(const std::string& format);

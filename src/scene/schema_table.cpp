@@ -1,5 +1,7 @@
 // The table of scene keys. `example` is a value that is valid beside the other keys' examples.
 
+#include <algorithm>
+
 #include "scene/schema.h"
 
 namespace thermocontact::scene {
@@ -21,22 +23,28 @@ std::vector<Key> general_keys() {
         {.name = "title", .type = Type::text, .fallback = R"("")", .example = R"("sliding block")",
          .description = "Title of the scene, repeated in the results."},
 
-        {.name = "mesh.shape", .type = Type::choice, .choices = {"rectangle"}, .fallback = R"("rectangle")",
-         .example = R"("rectangle")",
-         .description = "Shape of the body; its sides are named left, right, bottom and top."},
-        {.name = "mesh.lower", .type = Type::numbers, .unit = "m", .fallback = "[0.0, 0.0]",
-         .example = "[-1.0, 0.0]", .description = "Lower left corner."},
-        {.name = "mesh.upper", .type = Type::numbers, .unit = "m", .fallback = "[1.0, 1.0]",
-         .example = "[2.0, 1.5]", .description = "Upper right corner."},
+        {.name = "mesh.shape", .type = Type::choice, .choices = {"rectangle", "box"},
+         .fallback = R"("rectangle")", .instead = "mesh.file", .example = R"("rectangle")",
+         .description = "Shape of the body; its sides are named left, right, bottom, top and, of a box, front "
+         "(lower z) and back (upper z)."},
+        {.name = "mesh.lower", .type = Type::numbers, .unit = "m", .fallback = "0.0", .instead = "mesh.file",
+         .example = "[-1.0, 0.0]", .description = "Corner of lowest coordinates."},
+        {.name = "mesh.upper", .type = Type::numbers, .unit = "m", .fallback = "1.0", .instead = "mesh.file",
+         .example = "[2.0, 1.5]", .description = "Corner of highest coordinates."},
         {.name = "mesh.cells", .type = Type::integers, .range = from_to(1, 1e8), .required = true,
-         .example = "[8, 4]",
-         .description = "Number of squares along x and y; each is split into triangles."},
+         .instead = "mesh.file", .example = "[8, 4]",
+         .description = "Number of quadrilaterals or hexahedra along each axis; simplices split them."},
         {.name = "mesh.diagonal", .type = Type::choice, .choices = {"right", "left", "crossed"},
-         .fallback = R"("right")", .example = R"("crossed")",
-         .description = "Diagonal that splits the squares: right from lower left to upper right, left the "
-         "other, crossed both."},
-        {.name = "mesh.cell", .type = Type::choice, .choices = {"simplex"}, .fallback = R"("simplex")",
-         .example = R"("simplex")", .description = "Kind of cells: simplex for triangles."},
+         .fallback = R"("right")", .instead = "mesh.file", .example = R"("crossed")",
+         .description = "Diagonal that splits the squares of a rectangle into triangles: right from lower left "
+         "to upper right, left the other, crossed both."},
+        {.name = "mesh.cell", .type = Type::choice, .choices = {"simplex", "tensor"},
+         .fallback = R"("simplex")", .instead = "mesh.file", .example = R"("tensor")",
+         .description = "Kind of cells: simplex for triangles and tetrahedra, tensor for quadrilaterals and "
+         "hexahedra."},
+        {.name = "mesh.file", .type = Type::text, .example = R"("part.msh")",
+         .description = "Gmsh file, sought from the scene's folder, in place of a shape: cells of one kind, whose "
+         "physical groups name the boundaries and the regions."},
 
         {.name = "space.degree", .type = Type::integer, .range = from_to(1, 2), .fallback = "1",
          .example = "2", .description = "Polynomial degree of displacement and temperature."},
@@ -68,11 +76,11 @@ std::vector<Key> material_keys() {
          .description = "Poisson's ratio of an isotropic material."},
         {.name = "material.elasticity.plane", .type = Type::choice, .choices = {"stress", "strain"},
          .fallback = R"("stress")", .instead = "material.elasticity.tensor", .example = R"("strain")",
-         .description = "Plane stress (thin body) or plane strain (long body)."},
+         .description = "Plane stress (thin body) or plane strain (long body); in 2D only."},
         {.name = "material.elasticity.tensor", .type = Type::voigt_tensor, .unit = "Pa",
          .example = "[[3.0, 1.0, 0.0], [1.0, 3.0, 0.0], [0.0, 0.0, 1.0]]",
-         .description = "Elasticity as Voigt matrix for (e_xx, e_yy, 2 e_xy), in place of young and "
-         "poisson."},
+         .description = "Elasticity as Voigt matrix for (e_xx, e_yy, 2 e_xy), in 3D for (e_xx, e_yy, e_zz, 2 e_yz, "
+         "2 e_xz, 2 e_xy), in place of young and poisson."},
 
         {.name = "material.viscosity.trace", .type = Type::number, .unit = "Pa s", .required = true,
          .instead = "material.viscosity.tensor", .example = "10.0",
@@ -82,7 +90,7 @@ std::vector<Key> material_keys() {
          .description = "mu2 in the viscous stress mu1 tr(e) I + mu2 e, e the strain rate."},
         {.name = "material.viscosity.tensor", .type = Type::voigt_tensor, .unit = "Pa s",
          .example = "[[20.0, 10.0, 0.0], [10.0, 20.0, 0.0], [0.0, 0.0, 5.0]]",
-         .description = "Viscosity as Voigt matrix for (e_xx, e_yy, 2 e_xy), in place of trace and shear."},
+         .description = "Viscosity as Voigt matrix, ordered like that of elasticity, in place of trace and shear."},
 
         {.name = "heat.capacity", .type = Type::number, .unit = "J/(m^3 K)", .range = positive,
          .example = "3.6e6", .description = "Heat capacity per volume; absent: stationary heat conduction."},
@@ -111,6 +119,29 @@ std::vector<Key> material_keys() {
     };
 }
 
+/// The material and heat of a region: each key again, over the default of the same name, which says what is
+/// modelled.
+std::vector<Key> region_keys() {
+    std::vector<Key> keys;
+    for (Key key : material_keys()) {
+        if (!key.name.starts_with("material.") && !key.name.starts_with("heat.")) {
+            continue;
+        }
+        const bool in_subtable = std::ranges::count(key.name, '.') > 1;
+        key.needs = {in_subtable ? key.table() : key.name};
+        key.fallback.clear();
+        if (key.leaf() == "plane") {
+            key.example = R"("stress")";  // that of the whole body
+        }
+        key.description = "In one region of the mesh: " + key.description;
+        for (std::string* name : {&key.name, &key.instead}) {
+            *name = name->empty() ? "" : "region.NAME." + *name;
+        }
+        keys.push_back(key);
+    }
+    return keys;
+}
+
 std::vector<Key> boundary_keys() {
     return {
         {.name = "boundary.NAME.displacement", .type = Type::free_expressions, .unit = "m",
@@ -129,7 +160,8 @@ std::vector<Key> boundary_keys() {
         {.name = "boundary.NAME.contact.quadrature", .type = Type::integer_or_choice, .range = from_to(1, 9),
          .choices = {"vertex"}, .fallback = "4", .example = R"("vertex")",
          .description = "Degree up to which the Gauss rule of contact integrals is exact, or vertex for the "
-         "rule at the facet's nodes."},
+         "rule at the facet's nodes (on triangles of degree 2 the midpoints of the edges: the corners would have "
+         "weight 0)."},
 
         {.name = "boundary.NAME.contact.compliance.stiffness", .type = Type::number, .unit = "Pa/m^exponent",
          .range = positive, .required = true, .needs = {"material"}, .example = "1e4",
@@ -192,7 +224,8 @@ std::vector<Key> run_keys() {
 const std::vector<Key>& schema() {
     static const std::vector<Key> keys = [] {
         std::vector<Key> all;
-        for (const auto& group : {general_keys(), material_keys(), boundary_keys(), run_keys()}) {
+        for (const auto& group :
+             {general_keys(), material_keys(), region_keys(), boundary_keys(), run_keys()}) {
             all.insert(all.end(), group.begin(), group.end());
         }
         return all;

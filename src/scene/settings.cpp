@@ -13,37 +13,48 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> written_boundaries(const Document& document) {
+/// Names below the table `kind`, boundary or region.
+std::vector<std::string> written_names(const Document& document, const std::string& kind) {
     std::set<std::string> names;
     for (const Entry& entry : document.entries) {
         const auto parts = split(entry.key);
-        if (parts.size() > 1 && parts[0] == "boundary") {
+        if (parts.size() > 1 && parts[0] == kind) {
             names.insert(parts[1]);
         }
     }
     return {names.begin(), names.end()};
 }
 
-/// The names that `key` stands for in this scene: itself, or one of each boundary.
-std::vector<std::string> instances(const Key& key, const std::vector<std::string>& boundaries) {
-    if (!key.name.starts_with("boundary.")) {
+/// The names that `key` stands for in this scene: itself, or one of each boundary or region.
+std::vector<std::string> instances(const Key& key, const Settings& settings) {
+    if (!is_named(split(key.name))) {
         return {key.name};
     }
     std::vector<std::string> names;
-    for (const std::string& boundary : boundaries) {
-        names.push_back(instance_of(key.name, boundary));
+    for (const auto& name : key.name.starts_with("region.") ? settings.regions : settings.boundaries) {
+        names.push_back(instance_of(key.name, name));
     }
     return names;
 }
 
-std::string boundary_of(const std::string& name) {
+/// The boundary or region that a key belongs to; "" if it belongs to none.
+std::string owner_of(const std::string& name) {
     const auto parts = split(name);
-    return parts[0] == "boundary" ? parts[1] : "";
+    return is_named(parts) ? parts[1] : "";
+}
+
+/// The default of `key`; a number stands for as many as there are axes where an array is wanted.
+json default_of(const Key& key, int dimension) {
+    json value = json::parse(key.fallback);
+    if (key.type == Type::numbers && value.is_number()) {
+        value = json(std::vector<double>(static_cast<std::size_t>(dimension), value.get<double>()));
+    }
+    return value;
 }
 
 void check_needs(const Settings& settings, const Entry& entry, const Key& key) {
     for (const std::string& pattern : key.needs) {
-        const std::string needed = instance_of(pattern, boundary_of(entry.key));
+        const std::string needed = instance_of(pattern, owner_of(entry.key));
         if (!settings.written(needed)) {
             fail(entry.where, entry.key + ": needs " + needed + ", which the scene lacks");
         }
@@ -57,7 +68,7 @@ void check_exclusions(const Settings& settings, const Entry& entry, const Key& k
     }
     const auto* begin = settings.document->entries.data();
     for (const std::string& pattern : rivals) {
-        const Entry* rival = settings.document->find(instance_of(pattern, boundary_of(entry.key)));
+        const Entry* rival = settings.document->find(instance_of(pattern, owner_of(entry.key)));
         if (rival != nullptr) {
             const bool first = &entry - begin < rival - begin;
             const Entry& earlier = first ? entry : *rival;
@@ -89,8 +100,7 @@ void complete(Settings& settings, const std::string& name, const Key& key) {
     const auto parts = split(name);
     const std::string table = join(parts, parts.size() - 1);
     const Entry* written = settings.document->find(table);
-    const bool replaced =
-        !key.instead.empty() && settings.written(instance_of(key.instead, boundary_of(name)));
+    const bool replaced = !key.instead.empty() && settings.written(instance_of(key.instead, owner_of(name)));
     if ((written == nullptr && !is_always_present(table)) || replaced) {
         return;
     }
@@ -100,7 +110,7 @@ void complete(Settings& settings, const std::string& name, const Key& key) {
     if (!key.fallback.empty()) {
         const Location where =
             written != nullptr ? written->where : Location{.source = settings.document->file};
-        settings.by_name[name] = {&key, where, json::parse(key.fallback)};
+        settings.by_name[name] = {&key, where, default_of(key, settings.body.dimension)};
     }
 }
 
@@ -140,11 +150,14 @@ nlohmann::ordered_json Settings::resolved() const {
 Settings check_document(const Document& document) {
     Settings settings;
     settings.document = &document;
-    settings.boundaries = written_boundaries(document);
+    settings.body = body_of(document);
+    settings.boundaries = written_names(document, "boundary");
+    settings.regions = written_names(document, "region");
     for (const Entry& entry : document.entries) {
-        check_known(entry);
+        check_known(entry, settings.body);
         if (const Key* key = find_key(pattern_of(entry.key))) {
-            settings.by_name[entry.key] = {key, entry.where, check_value(*key, entry)};
+            settings.by_name[entry.key] = {key, entry.where,
+                                           check_value(*key, entry, settings.body.dimension)};
         }
     }
     for (const Entry& entry : document.entries) {
@@ -154,7 +167,7 @@ Settings check_document(const Document& document) {
         }
     }
     for (const Key& key : schema()) {
-        for (const std::string& name : instances(key, settings.boundaries)) {
+        for (const std::string& name : instances(key, settings)) {
             if (!settings.has(name)) {
                 complete(settings, name, key);
             }

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "scene/document.h"
 #include "scene/schema.h"
+
+namespace thermocontact::mesh {
+struct Mesh;
+}
 
 namespace thermocontact::scene {
 
@@ -17,9 +22,23 @@ struct Setting {
     nlohmann::json value;  ///< normalised: numbers are double where the type is no integer
 };
 
+/// What the table [mesh] says of the body before anything else can be checked.
+struct Body {
+    int dimension = 2;
+    std::string what = "rectangle";       ///< for messages
+    std::vector<std::string> boundaries;  ///< names there are
+    std::vector<std::string> regions;
+    std::shared_ptr<const mesh::Mesh> mesh = {};  ///< of mesh.file
+};
+
+/// Reads mesh.shape or mesh.file; throws SceneError where the file cannot be used.
+Body body_of(const Document& document);
+
 struct Settings {
     const Document* document = nullptr;
+    Body body;
     std::vector<std::string> boundaries;       ///< written in the scene, alphabetical
+    std::vector<std::string> regions;          ///< likewise
     std::map<std::string, Setting> by_name;    ///< keys in force
     std::vector<std::string> in_schema_order;  ///< their names
 
@@ -47,13 +66,15 @@ void check_rules(const Settings& settings);
 /// Names of the fields that the scene has, in the schema's order.
 std::vector<std::string> existing_fields(const Settings& settings);
 
-/// Throws SceneError unless the schema knows `entry` as the key or table that it is.
-void check_known(const Entry& entry);
+/// Throws SceneError unless the schema knows `entry` as the key or table that it is, and the body its
+/// boundary or region.
+void check_known(const Entry& entry, const Body& body);
 
 /// The normalised value of a leaf; throws SceneError saying what was expected.
-nlohmann::json check_value(const Key& key, const Entry& entry);
+nlohmann::json check_value(const Key& key, const Entry& entry, int dimension);
 
 /// "WHERE: KEY: expected EXPECTATION, found VALUE", `remark` appended.
-[[noreturn]] void fail_value(const Key& key, const Entry& entry, const std::string& remark = {});
+[[noreturn]] void fail_value(const Key& key, const Entry& entry, int dimension,
+                             const std::string& remark = {});
 
 }  // namespace thermocontact::scene

@@ -1,11 +1,13 @@
-/// Material tensors in two dimensions: from two constants to Voigt form, and the tests a scene's matrices
+/// Material tensors: from two constants to Voigt form, and the tests a scene's matrices
 /// must pass.
 ///
 /// Isotropic, e = symmetric gradient, 2G = E/(1+nu):
+///   in space      s = lambda  tr(e) I + 2G e,  lambda  = E nu/((1+nu)(1-2nu))
 ///   plane stress  s = lambda* tr(e) I + 2G e,  lambda* = E nu/(1-nu^2)
 ///   plane strain  s = lambda  tr(e) I + 2G e,  lambda  = E nu/((1+nu)(1-2nu)),  s_zz = lambda tr(e)
 ///   viscosity     s = mu1 tr(e) I + mu2 e,     s_zz = mu1 tr(e) in plane strain
-/// Voigt with engineering shear: (s_xx, s_yy, s_xy) = C (e_xx, e_yy, 2 e_xy), hence C_33 = G or mu2/2.
+/// Voigt with engineering shear: (s_xx, s_yy, s_xy) = C (e_xx, e_yy, 2 e_xy), hence the shear entries are
+/// G or mu2/2; in space (xx, yy, zz, yz, xz, xy).
 #pragma once
 
 #include <vector>
@@ -14,10 +16,17 @@
 
 namespace thermocontact::scene {
 
-VoigtTensor isotropic_elasticity(double young, double poisson, bool plane_strain);
-VoigtTensor isotropic_viscosity(double mu1, double mu2, bool plane_strain);
+enum class Kinematics { plane_stress, plane_strain, space };
 
-/// A given Voigt matrix, row-major [3][3]; its zz components are unknown and taken as zero.
+/// The one of a body without free plane sides: space in three dimensions, else plane strain.
+constexpr Kinematics plane_strain(int dimension) {
+    return dimension == 3 ? Kinematics::space : Kinematics::plane_strain;
+}
+
+VoigtTensor isotropic_elasticity(double young, double poisson, Kinematics kinematics);
+VoigtTensor isotropic_viscosity(double mu1, double mu2, Kinematics kinematics);
+
+/// A given Voigt matrix, row-major; in 2D its zz components are unknown and taken as zero.
 VoigtTensor general_tensor(std::vector<double> matrix);
 
 /// s I in dimension d, row-major [d][d].

@@ -9,6 +9,12 @@ namespace thermocontact::scene {
 
 namespace {
 
+/// The boundary or region that an entry belongs to; those of neither may have meant a boundary.
+struct Owner {
+    std::string kind = "boundary";
+    std::string name = "NAME";
+};
+
 bool is_declared(const std::string& pattern) {
     return find_key(pattern) != nullptr || is_table(pattern);
 }
@@ -39,65 +45,65 @@ std::vector<std::string> members(const std::string& table) {
     return leaves;
 }
 
-std::vector<std::string> namesakes(const std::string& leaf, const std::string& boundary) {
+/// Keys with that last part; those of a named boundary or region only for an entry of the same kind.
+std::vector<std::string> namesakes(const std::string& leaf, const Owner& owner) {
     std::vector<std::string> names;
     for (const std::string& name : declared_names()) {
         const auto parts = split(name);
-        if (parts.size() > 1 && parts.back() == leaf) {
-            names.push_back(instance_of(name, boundary));
+        const bool elsewhere = is_named(parts) && parts[0] != owner.kind;
+        if (parts.size() > 1 && parts.back() == leaf && !elsewhere) {
+            names.push_back(instance_of(name, owner.name));
         }
     }
     return names;
 }
 
 /// A near name anywhere in the schema, dotted.
-std::string near_elsewhere(const std::string& leaf, const std::string& boundary) {
+std::string near_elsewhere(const std::string& leaf, const Owner& owner) {
     std::vector<std::string> leaves;
     for (const std::string& name : declared_names()) {
         leaves.push_back(split(name).back());
     }
     const std::string found = nearest(leaf, leaves);
-    return found.empty()                        ? found
-           : namesakes(found, boundary).empty() ? found
-                                                : namesakes(found, boundary).front();
+    return found.empty() ? found : namesakes(found, owner).empty() ? found : namesakes(found, owner).front();
 }
 
-std::string suggestion(const std::string& table, const std::string& leaf, const std::string& boundary) {
-    if (const auto names = namesakes(leaf, boundary); !names.empty()) {
+std::string suggestion(const std::string& table, const std::string& leaf, const Owner& owner) {
+    if (const auto names = namesakes(leaf, owner); !names.empty()) {
         return "; did you mean " + one_of(names) + "?";
     }
     if (const std::string text = did_you_mean(leaf, members(table)); !text.empty()) {
         return text;
     }
-    if (const std::string name = near_elsewhere(leaf, boundary); !name.empty()) {
+    if (const std::string name = near_elsewhere(leaf, owner); !name.empty()) {
         return "; did you mean \"" + name + "\"?";
     }
     return "; expected " + one_of(members(table));
 }
 
-void check_boundary(const Entry& entry, const std::string& name) {
-    const std::string shape = "rectangle";  // the only shape that mesh.shape admits
-    const auto names = boundary_names(shape);
+/// `kind`: "boundary" or "region".
+void check_name(const Entry& entry, const std::string& kind, const std::string& name, const Body& body) {
+    const auto& names = kind == "boundary" ? body.boundaries : body.regions;
     if (std::find(names.begin(), names.end(), name) == names.end()) {
-        fail(entry.where, "boundary." + name + ": unknown boundary of the " + shape + "; expected " +
-                              one_of(names) + did_you_mean(name, names));
+        const std::string known =
+            names.empty() ? "; it has none" : "; expected " + one_of(names) + did_you_mean(name, names);
+        fail(entry.where, kind + "." + name + ": unknown " + kind + " of the " + body.what + known);
     }
 }
 
 }  // namespace
 
-void check_known(const Entry& entry) {
+void check_known(const Entry& entry, const Body& body) {
     const auto parts = split(entry.key);
-    const bool of_boundary = parts.size() > 1 && parts[0] == "boundary";
-    if (of_boundary) {
-        check_boundary(entry, parts[1]);
+    if (is_named(parts)) {
+        check_name(entry, parts[0], parts[1], body);
     }
+    const Owner owner = is_named(parts) ? Owner{parts[0], parts[1]} : Owner{};
     const auto patterns = split(pattern_of(entry.key));
     for (std::size_t n = 1; n <= parts.size(); ++n) {
         if (!is_declared(join(patterns, n))) {
             fail(entry.where,
-                 join(parts, n) + ": unknown key" +
-                     suggestion(join(patterns, n - 1), parts[n - 1], of_boundary ? parts[1] : "NAME"));
+                 join(parts, n) + ": unknown key" + suggestion(join(patterns, n - 1), parts[n - 1], owner));
         }
     }
     if (is_table(pattern_of(entry.key)) && !entry.is_table) {

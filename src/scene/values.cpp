@@ -19,7 +19,8 @@ using nlohmann::json;
 /// Checks parts of one value; each function returns the normalised part.
 class Checker {
   public:
-    Checker(const Key& key, const Entry& entry) : key_(key), entry_(entry) {}
+    Checker(const Key& key, const Entry& entry, int dimension)
+        : key_(key), entry_(entry), dimension_(dimension) {}
 
     json text(const json& value) const {
         expect(value.is_string());
@@ -30,7 +31,7 @@ class Checker {
         expect(value.is_string());
         const auto name = value.get<std::string>();
         if (std::find(key_.choices.begin(), key_.choices.end(), name) == key_.choices.end()) {
-            fail_value(key_, entry_, did_you_mean(name, key_.choices));
+            fail_value(key_, entry_, dimension_, did_you_mean(name, key_.choices));
         }
         return value;
     }
@@ -60,7 +61,7 @@ class Checker {
             return number(value);
         }
         try {
-            return Expression(value.get<std::string>(), dimension).text();
+            return Expression(value.get<std::string>(), dimension_).text();
         } catch (const SceneError& error) {
             fail(entry_.where, entry_.key + ": bad expression " + error.what());
         }
@@ -70,7 +71,7 @@ class Checker {
 
     template <class Part>
     json vector(const json& value, Part part) const {
-        expect(value.is_array() && value.size() == static_cast<std::size_t>(dimension));
+        expect(value.is_array() && value.size() == static_cast<std::size_t>(dimension_));
         json list = json::array();
         for (const auto& item : value) {
             list.push_back((this->*part)(item));
@@ -92,17 +93,17 @@ class Checker {
             }
         }
         if (!is_symmetric(flat, n)) {
-            fail_value(key_, entry_, " (not symmetric)");
+            fail_value(key_, entry_, dimension_, " (not symmetric)");
         }
         if (const double smallest = smallest_eigenvalue(flat, n); semidefinite && !(smallest >= 0)) {
-            fail_value(key_, entry_, " (smallest eigenvalue " + rounded(smallest) + ")");
+            fail_value(key_, entry_, dimension_, " (smallest eigenvalue " + rounded(smallest) + ")");
         }
         return rows;
     }
 
     json tensor(const json& value, bool semidefinite) const {
         if (!value.is_number()) {
-            return matrix(value, dimension, semidefinite);
+            return matrix(value, dimension_, semidefinite);
         }
         expect(!semidefinite || value.get<double>() > 0);
         return number(value);
@@ -117,26 +118,27 @@ class Checker {
 
     void expect(bool condition) const {
         if (!condition) {
-            fail_value(key_, entry_);
+            fail_value(key_, entry_, dimension_);
         }
     }
 
     const Key& key_;
     const Entry& entry_;
+    int dimension_;
 };
 
 }  // namespace
 
-void fail_value(const Key& key, const Entry& entry, const std::string& remark) {
+void fail_value(const Key& key, const Entry& entry, int dimension, const std::string& remark) {
     const std::string found = entry.is_table ? "a table" : show(entry.value);
-    fail(entry.where, entry.key + ": expected " + expectation(key) + ", found " + found + remark);
+    fail(entry.where, entry.key + ": expected " + expectation(key, dimension) + ", found " + found + remark);
 }
 
-json check_value(const Key& key, const Entry& entry) {
-    const Checker check(key, entry);
+json check_value(const Key& key, const Entry& entry, int dimension) {
+    const Checker check(key, entry, dimension);
     const json& value = entry.value;
     if (entry.is_table) {
-        fail_value(key, entry);
+        fail_value(key, entry, dimension);
     }
     switch (key.type) {
         case Type::text:
@@ -166,9 +168,9 @@ json check_value(const Key& key, const Entry& entry) {
         case Type::semidefinite_tensor:
             return check.tensor(value, true);
         case Type::voigt_tensor:
-            return check.matrix(value, voigt_size, true);
+            return check.matrix(value, voigt_size(dimension), true);
     }
-    fail_value(key, entry);
+    fail_value(key, entry, dimension);
 }
 
 }  // namespace thermocontact::scene

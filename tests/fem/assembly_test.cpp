@@ -6,6 +6,7 @@
 #include <set>
 
 #include "fem/block_matrix.h"
+#include "mesh/shapes.h"
 #include "support/dense.h"
 
 namespace thermocontact::fem {

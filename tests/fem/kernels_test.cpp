@@ -204,10 +204,12 @@ struct Named {
     int degree;
 };
 
-std::vector<Named> all_kernels() {
+std::vector<Named> kernels_of(const std::string& cell) {
     std::vector<Named> result;
     for (int i = 0; i < thermocontact_kernel_count; ++i) {
-        result.push_back({thermocontact_kernels[i].name, thermocontact_kernels[i].degree});
+        if (thermocontact_kernels[i].cell == cell) {
+            result.push_back({thermocontact_kernels[i].name, thermocontact_kernels[i].degree});
+        }
     }
     return result;
 }
@@ -257,22 +259,25 @@ TEST_P(Kernels, EqualTheirClosedForms) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, Kernels, testing::ValuesIn(all_kernels()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Table, Kernels, testing::ValuesIn(kernels_of("triangle")), [](const auto& info) {
     std::string name = info.param.kernel + "_" + std::to_string(info.param.degree);
     std::ranges::replace(name, '.', '_');
     return name;
 });
 
-/// Every closed form has its kernels, for both degrees: none was renamed away.
+/// Every closed form has its kernels, for every cell and both degrees: none was renamed away.
 TEST(KernelTable, IsComplete) {
-    std::set<std::string> expected, found;
+    std::set<std::string> expected;
     for (const auto& [name, form] : closed_forms()) {
         expected.insert({name + " 1", name + " 2"});
     }
-    for (const Named& kernel : all_kernels()) {
-        found.insert(kernel.kernel + " " + std::to_string(kernel.degree));
+    for (const char* cell : {"triangle", "quadrilateral", "tetrahedron", "hexahedron"}) {
+        std::set<std::string> found;
+        for (const Named& kernel : kernels_of(cell)) {
+            found.insert(kernel.kernel + " " + std::to_string(kernel.degree));
+        }
+        EXPECT_EQ(found, expected) << cell;
     }
-    EXPECT_EQ(found, expected);
 }
 
 TEST(KernelTable, UnknownNamesAreErrorsOfTheProgram) {

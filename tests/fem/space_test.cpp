@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "mesh/shapes.h"
+
 namespace thermocontact::fem {
 namespace {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "mesh/mesh.h"
+#include "mesh/shapes.h"
 
 namespace thermocontact::mesh {
 namespace {
@@ -169,11 +169,6 @@ TEST_P(Rectangle, DiagonalIsTheOneAskedFor) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Rectangle, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
-
-TEST(BoundaryNames, OfShapes) {
-    EXPECT_EQ(boundary_names("rectangle"), (std::vector<std::string>{"bottom", "left", "right", "top"}));
-    EXPECT_TRUE(boundary_names("sphere").empty());
-}
 
 }  // namespace
 }  // namespace thermocontact::mesh

@@ -84,7 +84,8 @@ TEST(Files, NotText) {
     EXPECT_EQ(message("title = \"\xff\xfe\"\n").substr(0, 30), "scene.toml:1: not valid TOML: ");
     EXPECT_EQ(message(std::string("title = \"a\0b\"\n", 14)).substr(0, 30), "scene.toml:1: not valid TOML: ");
     EXPECT_EQ(message(std::string(5 << 20, ' ')), "scene.toml: larger than 4 MiB, hence no scene file");
-    EXPECT_EQ(message(""), "scene.toml: mesh.cells: missing; add cells = [8, 4] to [mesh]");
+    EXPECT_EQ(message(""),
+              "scene.toml: mesh.cells: missing; add cells = [8, 4], or file = \"part.msh\" to [mesh]");
 }
 
 TEST(Files, NestingWithoutEnd) {

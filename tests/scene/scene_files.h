@@ -14,6 +14,38 @@
 
 namespace thermocontact::scene {
 
+/// A mesh beside each scene: the unit square with its sides named as a rectangle's, in the regions "left" and
+/// "right".
+inline const char* const part = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+6
+1 1 "bottom"
+1 2 "right"
+1 3 "top"
+1 4 "left"
+2 1 "left"
+2 2 "right"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+6
+1 1 2 1 1 1 2
+2 1 2 2 2 2 3
+3 1 2 3 3 3 4
+4 1 2 4 4 4 1
+5 2 2 2 2 1 2 3
+6 2 2 1 1 1 3 4
+$EndElements
+)";
+
 /// A file of the running test's own, removed with it.
 class SceneFile {
   public:
@@ -27,6 +59,7 @@ class SceneFile {
                      ("thermocontact-" + std::to_string(getpid()) + "-" + name);
         std::filesystem::create_directories(directory_);
         std::ofstream(path(), std::ios::binary) << text;
+        std::ofstream(directory_ / "part.msh", std::ios::binary) << part;
     }
     ~SceneFile() { std::filesystem::remove_all(directory_); }
     SceneFile(const SceneFile&) = delete;

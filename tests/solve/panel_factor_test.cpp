@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "mesh/shapes.h"
 #include "support/dense.h"
 
 namespace thermocontact::solve {

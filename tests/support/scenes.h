@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fem/block_matrix.h"
+#include "mesh/shapes.h"
 #include "model/contact_surface.h"
 #include "scene/scene_files.h"
 
@@ -28,7 +29,7 @@ struct Discretisation {
 
     explicit Discretisation(scene::Scene given)
         : scene(std::move(given)),
-          mesh(mesh::make_rectangle(scene.mesh)),
+          mesh(mesh::make_mesh(scene.mesh)),
           space(fem::make_space(mesh, scene.degree)),
           graph(fem::make_node_graph(space)),
           surfaces(model::make_contact_surfaces(scene, mesh, space)) {}

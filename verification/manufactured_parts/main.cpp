@@ -14,7 +14,7 @@
 
 #include "error.h"
 #include "march/simulation.h"
-#include "mesh/mesh.h"
+#include "mesh/shapes.h"
 #include "scene/reader.h"
 
 extern "C" {
@@ -29,7 +29,7 @@ using namespace thermocontact;
 class Manufactured {
   public:
     Manufactured(const scene::Scene& scene, std::string name)
-        : scene_(&scene), name_(std::move(name)), mesh_(mesh::make_rectangle(scene.mesh)) {}
+        : scene_(&scene), name_(std::move(name)), mesh_(mesh::make_mesh(scene.mesh)) {}
 
     model::Sources sources() const {
         model::Sources result;

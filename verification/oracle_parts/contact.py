@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 import ufl
 from dolfinx import fem
+from dolfinx.mesh import CellType
 from dolfinx.fem import petsc as fem_petsc
 from mpi4py import MPI
 
@@ -25,19 +26,30 @@ MEASURES = (
     "heat_flow",
 )
 OPEN, STICK, SLIP = 0, 1, 2
+FACETS_IN_SPACE = {CellType.tetrahedron: "triangle", CellType.hexahedron: "quadrilateral"}
+# Reference places of the nodes of a quadrilateral: corners, midpoints of the edges, centre
+SQUARE = ((0, 0), (1, 0), (0, 1), (1, 1), (0.5, 0), (0, 0.5), (1, 0.5), (0.5, 1), (0.5, 0.5))
 
 
-def quadrature_metadata(rule: int | str, degree: int) -> dict[str, Any]:
-    """A Gauss rule by its degree, or "vertex": trapezoid for degree 1, Simpson for degree 2."""
+def quadrature_metadata(rule: int | str, degree: int, facet: str) -> dict[str, Any]:
+    """A Gauss rule by its degree, or "vertex": trapezoid for degree 1, Simpson for degree 2, or products of these.
+
+    On triangles the rule at the corners for degree 1, at the midpoints of the edges for degree 2.
+    """
     if rule != "vertex":
         return {"quadrature_degree": rule}
-    points = ((0.0,), (1.0,)) if degree == 1 else ((0.0,), (0.5,), (1.0,))
-    weights = (0.5, 0.5) if degree == 1 else (1 / 6, 4 / 6, 1 / 6)
+    ends = [(0.0, 1 / 2), (1.0, 1 / 2)] if degree == 1 else [(0.0, 1 / 6), (0.5, 4 / 6), (1.0, 1 / 6)]
+    pairs = [((s,), weight) for s, weight in ends]
+    if facet == "quadrilateral":
+        pairs = [((s, t), a * b) for s, a in ends for t, b in ends]
+    if facet == "triangle":
+        places = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)] if degree == 1 else [(0.5, 0.0), (0.0, 0.5), (0.5, 0.5)]
+        pairs = [(place, 1 / 6) for place in places]
     return {
         "quadrature_rule": "custom",
         "quadrature_degree": 1,
-        "quadrature_points": points,
-        "quadrature_weights": weights,
+        "quadrature_points": tuple(point for point, _ in pairs),
+        "quadrature_weights": tuple(weight for _, weight in pairs),
     }
 
 
@@ -55,7 +67,8 @@ class ContactSide:
     ) -> None:
         self.name, self.index, self.contact, mesh = side.name, index, contact, side.mesh
         self.mesh, self.displacement_space, self.scalar_space = mesh, displacement_space, scalar_space
-        self.ds = side.ds(quadrature_metadata(contact.quadrature, scene.degree))
+        self.facet = {1: "interval", 2: FACETS_IN_SPACE.get(mesh.topology.cell_type)}[side.dimension]
+        self.ds = side.ds(quadrature_metadata(contact.quadrature, scene.degree, self.facet))
         self.normal = ufl.FacetNormal(mesh)
         self.gap = Nodal(scalar_space, scene, [contact.gap], side)
         if contact.compliance:
@@ -126,31 +139,32 @@ class ContactSide:
         r = self.penetration(u)
         closed = ufl.conditional(r >= 0.0, 1.0, 0.0)
         zero = 0.0 * closed
-        normal, friction, slip, heat = zero, [zero, zero], closed, zero
+        d = len(self.normal)
+        normal, friction, slip, heat = zero, d * [zero], closed, zero
         if self.contact.compliance:
             normal = self.pressure(r)
         if self.contact.friction:
-            friction = self.friction_stress(r, w)
+            friction = [self.friction_stress(r, w)[axis] for axis in range(d)]
             speed = ufl.sqrt(ufl.dot(self.tangential(w), self.tangential(w)))
             slip = closed * ufl.conditional(speed > self.epsilon, 1.0, 0.0)
         if self.contact.conductance:
             heat = self.heat_flow(r, theta)
-        integrands = (normal, friction[0], friction[1], closed, slip, heat)
+        integrands = (normal, closed, slip, heat, 1.0 + zero, *friction)
         q = ufl.TestFunction(lagrange_space(self.mesh, 0, len(integrands)))
         self.integrals = fem.form(ufl.dot(ufl.as_vector(integrands), q) * self.ds)
 
     def measures(self, u: Any | None) -> dict[str, float]:
         vector = fem_petsc.assemble_vector(self.integrals)
-        local = np.append(vector.array.reshape(-1, 6).sum(axis=0), self.lengths.sum())
+        local = vector.array.reshape(-1, 5 + len(self.normal)).sum(axis=0)
         vector.destroy()
-        normal, friction_x, friction_y, closed, slip, heat, length = self.mesh.comm.allreduce(local)
+        normal, closed, slip, heat, area, *friction = self.mesh.comm.allreduce(local)
         deepest = max(0.0, self.nodal_penetration(u).max(initial=0.0))
         values = (
             normal,
-            float(np.hypot(friction_x, friction_y)),
+            float(np.linalg.norm(friction)),
             self.mesh.comm.allreduce(deepest, op=MPI.MAX),
-            closed / length,
-            slip / length,
+            closed / area,
+            slip / area,
             heat,
         )
         return {name: float(value) for name, value in zip(MEASURES, values)}
@@ -158,9 +172,10 @@ class ContactSide:
     # The laws at the facets' own nodes, over numpy
 
     def _locate_nodes(self, side: Side, scene: Scene) -> None:
-        """Cells, nodes, points and outward unit normals of the facets, one row per facet."""
+        """Cells, nodes, points and outward unit normals at these, one row per facet."""
         topology = side.mesh.topology
-        to_cells, to_facets = topology.connectivity(1, 2), topology.connectivity(2, 1)
+        tdim = topology.dim
+        to_cells, to_facets = topology.connectivity(tdim - 1, tdim), topology.connectivity(tdim, tdim - 1)
         self.cells = np.array([to_cells.links(facet)[0] for facet in side.facets], dtype=np.int32)
         local = [list(to_facets.links(cell)).index(facet) for cell, facet in zip(self.cells, side.facets)]
         self.scalar_nodes = _facet_nodes(self.scalar_space, self.cells, local)
@@ -168,31 +183,29 @@ class ContactSide:
             self.vector_nodes = _facet_nodes(self.displacement_space, self.cells, local)
         points = node_points(self.scalar_space, scene)
         self.points: Array = points[self.scalar_nodes]
-        along = self.points[:, 1, :2] - self.points[:, 0, :2]
-        self.lengths = np.linalg.norm(along, axis=1)
-        normals = np.column_stack((along[:, 1], -along[:, 0])) / self.lengths[:, None]
-        cell_points = points[cell_nodes(self.scalar_space, topology.index_map(2).size_local)[self.cells], :2]
-        inward = cell_points.mean(axis=1) - self.points[:, 0, :2]
-        normals[np.sum(normals * inward, axis=1) > 0.0] *= -1.0
-        self.normals: Array = normals
+        normals = _normals(self.points, self.facet)
+        cell_points = points[cell_nodes(self.scalar_space, topology.index_map(tdim).size_local)[self.cells]]
+        inward = cell_points.mean(axis=1)[:, None, :] - self.points
+        normals[np.sum(normals * inward, axis=2) > 0.0] *= -1.0
+        self.normals: Array = normals[:, :, :tdim]
 
     def _at_nodes(self, function: Any) -> Array:
-        """Values of a vector function, shape (facets, nodes, 2)."""
-        return function.x.array.reshape(-1, 2)[self.vector_nodes]
+        """Values of a vector function, shape (facets, nodes, d)."""
+        return function.x.array.reshape(-1, self.normals.shape[2])[self.vector_nodes]
 
     def nodal_penetration(self, u: Any | None) -> Array:
         gap = self.gap.function.x.array[self.scalar_nodes]
-        return (np.einsum("fnd,fd->fn", self._at_nodes(u), self.normals) if u is not None else 0.0) - gap
+        return (np.sum(self._at_nodes(u) * self.normals, axis=2) if u is not None else 0.0) - gap
 
     def nodal(self, u: Any, w: Any, theta: Any) -> dict[str, Array]:
-        """Each result of this side at its facets' nodes: shape (facets, nodes) or (facets, nodes, 2)."""
+        """Each result of this side at its facets' nodes: shape (facets, nodes) or (facets, nodes, d)."""
         contact, m = self.contact, laws.NUMPY
         r = self.nodal_penetration(u)
         result: dict[str, Array] = {"gap": -r, "state": np.where(r < 0.0, OPEN, SLIP)}
         if w is not None:
             velocity = self._at_nodes(w)
-            normal_velocity = np.einsum("fnd,fd->fn", velocity, self.normals)
-            slip = velocity - normal_velocity[:, :, None] * self.normals[:, None, :]
+            normal_velocity = np.sum(velocity * self.normals, axis=2)
+            slip = velocity - normal_velocity[:, :, None] * self.normals
             result["slip_velocity"] = slip
         if contact.compliance:
             pressure = laws.pressure(m, r, contact.compliance.stiffness, contact.compliance.exponent)
@@ -220,9 +233,26 @@ def _term(form: Any, unknown: Any) -> Term:
     return Term(fem.form(form), fem.form(ufl.derivative(form, unknown, trial)))
 
 
+def _normals(points: Array, facet: str) -> Array:
+    """Unit normals, either way, at the nodes of each facet from its vertices, which come first; shape (.., .., 3)."""
+    along = points[:, 1] - points[:, 0]
+    if facet == "interval":
+        normals = np.column_stack((along[:, 1], -along[:, 0], 0 * along[:, 0]))[:, None, :]
+    elif facet == "triangle":
+        normals = np.cross(along, points[:, 2] - points[:, 0])[:, None, :]
+    else:
+        a, b, c, d = (points[:, None, vertex] for vertex in range(4))
+        s, t = (np.array(SQUARE)[None, : points.shape[1], [axis]].T for axis in range(2))
+        s, t = s.reshape(1, -1, 1), t.reshape(1, -1, 1)
+        normals = np.cross((1 - t) * (b - a) + t * (d - c), (1 - s) * (c - a) + s * (d - b))
+    normals = normals / np.linalg.norm(normals, axis=2, keepdims=True)
+    return np.broadcast_to(normals, points.shape).copy()
+
+
 def _facet_nodes(space: Any, cells: npt.NDArray[np.int32], local_facets: list[int]) -> npt.NDArray[np.int32]:
-    """Nodes of each facet: its two vertices, then for degree 2 its midpoint."""
-    layout = space.dofmap.dof_layout
-    closure = np.array([layout.entity_closure_dofs(1, facet) for facet in range(3)])
+    """Nodes of each facet: its vertices, then for degree 2 those inside its edges, then its own."""
+    layout, tdim = space.dofmap.dof_layout, space.mesh.topology.dim
+    facets = {CellType.triangle: 3, CellType.hexahedron: 6}.get(space.mesh.topology.cell_type, 4)
+    closure = np.array([layout.entity_closure_dofs(tdim - 1, facet) for facet in range(facets)])
     nodes = cell_nodes(space, int(cells.max(initial=-1)) + 1)
     return nodes[cells[:, None], closure[np.array(local_facets, dtype=int)]]

@@ -1,6 +1,8 @@
-"""The mesh, its named sides, and data given by expressions: nodal fields, loads and prescribed values."""
+"""The mesh, its named boundaries and regions, and data given by expressions: nodal fields, loads and prescribed values."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,68 +13,150 @@ from dolfinx import mesh as dmesh
 from dolfinx.fem import petsc as fem_petsc
 from petsc4py import PETSc
 
+from oracle_parts.errors import SceneError
 from oracle_parts.expressions import Expression
-from oracle_parts.portability import settle_geometry
-from oracle_parts.scene import Scene
+from oracle_parts.portability import mesh_of_gmsh, settle_geometry
+from oracle_parts.scene import Scene, Shape, group_names
 
 Ints = npt.NDArray[np.int32]
 
 
-def create_mesh(comm: Any, scene: Scene) -> Any:
+@dataclass(frozen=True)
+class Body:
+    """The mesh, the facets of each boundary on this process, and the cells of each named region."""
+
+    mesh: Any
+    boundaries: dict[str, Ints]
+    regions: dict[str, Ints]
+    full_rule: dict[str, Any]  # metadata of integrals that name no rule: see `full_rule`
+
+    def dx(self) -> Any:
+        """Integration over all cells."""
+        return ufl.Measure("dx", domain=self.mesh, metadata=self.full_rule)
+
+    def dx_of(self, names: Sequence[str]) -> list[Any]:
+        """Integration over each of these regions, and last over the cells in none of them."""
+        tdim = self.mesh.topology.dim
+        cells = np.arange(self.mesh.topology.index_map(tdim).size_local, dtype=np.int32)
+        numbers = np.full(len(cells), len(names), dtype=np.int32)
+        for number, name in enumerate(names):
+            numbers[self.regions[name]] = number
+        tags = dmesh.meshtags(self.mesh, tdim, cells, numbers)
+        dx = ufl.Measure("dx", domain=self.mesh, subdomain_data=tags, metadata=self.full_rule)
+        return [dx(number) for number in range(len(names) + 1)]
+
+
+def create_body(comm: Any, scene: Scene) -> Body:
     """Without ghost cells: every local cell is owned, so that local numbers of cells are global ones shifted."""
-    mesh = dmesh.create_rectangle(
-        comm,
-        [np.array(scene.lower), np.array(scene.upper)],
-        scene.cells,
-        cell_type=dmesh.CellType.triangle,
-        ghost_mode=dmesh.GhostMode.none,
-        diagonal=getattr(dmesh.DiagonalType, scene.diagonal),
-    )
+    if scene.file:
+        mesh, boundaries, regions = _read_file(comm, scene.file, scene.dimension)
+    else:
+        mesh, regions = _create_shape(comm, scene.shape), {}
+        boundaries = _sides(mesh, scene.shape)
     settle_geometry(mesh)
-    mesh.topology.create_connectivity(1, 2)
-    mesh.topology.create_connectivity(2, 1)
-    return mesh
+    missing = [name for name in scene.boundaries if name not in boundaries]
+    missing += [name for name in scene.regions if name not in regions]
+    if missing:
+        raise SceneError(f"the mesh has no boundary or region {missing[0]}")
+    return Body(mesh, boundaries, regions, full_rule(mesh, scene.degree))
+
+
+def full_rule(mesh: Any, degree: int) -> dict[str, Any]:
+    """On cells whose geometry is not affine, degree + 1 Gauss points a direction; else what the integrand asks for."""
+    tensor = mesh.topology.cell_type in (dmesh.CellType.quadrilateral, dmesh.CellType.hexahedron)
+    return {"quadrature_degree": 2 * degree + 1} if tensor else {}
+
+
+def _create_shape(comm: Any, shape: Shape | None) -> Any:
+    assert shape is not None
+    corners = [np.array(shape.lower), np.array(shape.upper)]
+    types, dimension = dmesh.CellType, len(shape.cells)
+    simplex, tensor = {2: (types.triangle, types.quadrilateral), 3: (types.tetrahedron, types.hexahedron)}[
+        dimension
+    ]
+    cell_type = simplex if shape.cell == "simplex" else tensor
+    options = {"cell_type": cell_type, "ghost_mode": dmesh.GhostMode.none}
+    if dimension == 3:
+        return dmesh.create_box(comm, corners, shape.cells, **options)
+    diagonal = getattr(dmesh.DiagonalType, shape.diagonal)
+    return dmesh.create_rectangle(comm, corners, shape.cells, diagonal=diagonal, **options)
+
+
+def _sides(mesh: Any, shape: Shape | None) -> dict[str, Ints]:
+    """The exterior facets of each side of a rectangle or box."""
+    assert shape is not None
+    tdim = _connect(mesh)
+    exterior = dmesh.exterior_facet_indices(mesh.topology)
+    midpoints = dmesh.compute_midpoints(mesh, tdim - 1, exterior)
+    sides = {}
+    for axis, names in enumerate((("left", "right"), ("bottom", "top"), ("front", "back"))[:tdim]):
+        for name, place in zip(names, (shape.lower[axis], shape.upper[axis])):
+            near = np.abs(midpoints[:, axis] - place) < 1e-9 * (shape.upper[axis] - shape.lower[axis])
+            sides[name] = np.sort(exterior[near]).astype(np.int32)
+    return sides
+
+
+def _read_file(comm: Any, file: Path, dimension: int) -> tuple[Any, dict[str, Ints], dict[str, Ints]]:
+    """By dolfinx's own way from Gmsh's model to a mesh."""
+    import gmsh
+
+    gmsh.initialize(readConfigFiles=False)
+    gmsh.option.setNumber("General.Terminal", 0)
+    if comm.rank == 0:
+        gmsh.open(str(file))
+    mesh, cell_tags, facet_tags = mesh_of_gmsh(gmsh.model, comm, dimension)
+    gmsh.finalize()
+    _connect(mesh)
+    found: dict[int, dict[str, Ints]] = {dimension: {}, dimension - 1: {}}
+    for group_dimension, tag, name in group_names(file):
+        if group_dimension in found:
+            tags = cell_tags if group_dimension == dimension else facet_tags
+            before = found[group_dimension].get(name, np.empty(0, dtype=np.int32))
+            here = tags.indices[tags.values == tag].astype(np.int32)
+            found[group_dimension][name] = np.unique(np.concatenate((before, here)))
+    return mesh, found[dimension - 1], found[dimension]
+
+
+def _connect(mesh: Any) -> int:
+    tdim: int = mesh.topology.dim
+    mesh.topology.create_connectivity(tdim - 1, tdim)
+    mesh.topology.create_connectivity(tdim, tdim - 1)
+    return tdim
 
 
 def node_points(space: Any, scene: Scene) -> npt.NDArray[np.float64]:
-    """Coordinates of the local nodes, put exactly on the grid of the mesh's nodes.
+    """Coordinates of the local nodes; those of a shape put exactly on the grid of the mesh's nodes.
 
     Where dolfinx computes a node's place, 0 may come out as 1e-19, and an expression with a jump at 0 goes astray.
     """
     points = np.array(space.tabulate_dof_coordinates())
+    if scene.shape is None:
+        return points
     per_square = 4  # a crossed mesh of degree 2 has nodes at quarters
-    for axis in range(2):
-        lower, upper = scene.lower[axis], scene.upper[axis]
-        intervals = per_square * scene.cells[axis]
+    for axis, cells in enumerate(scene.shape.cells):
+        lower, upper = scene.shape.lower[axis], scene.shape.upper[axis]
+        intervals = per_square * cells
         number = np.rint((points[:, axis] - lower) / (upper - lower) * intervals)
         points[:, axis] = np.where(number == intervals, upper, lower + number * ((upper - lower) / intervals))
     return points
 
 
 class Side:
-    """One side of the rectangle: its facets on this process, and integrals over it.
+    """One boundary: its facets on this process, and integrals over it.
 
     Each side carries its own tags with the same number, so that equal laws on two sides compile to one kernel.
     """
 
-    def __init__(self, mesh: Any, scene: Scene, name: str) -> None:
-        axis, place = {
-            "left": (0, "lower"),
-            "right": (0, "upper"),
-            "bottom": (1, "lower"),
-            "top": (1, "upper"),
-        }[name]
-        exterior = dmesh.exterior_facet_indices(mesh.topology)
-        distance = dmesh.compute_midpoints(mesh, 1, exterior)[:, axis] - getattr(scene, place)[axis]
-        on_side = np.abs(distance) < 1e-9 * (scene.upper[axis] - scene.lower[axis])
-        self.name, self.mesh = name, mesh
-        self.facets: Ints = np.sort(exterior[on_side]).astype(np.int32)
-        self.tags = dmesh.meshtags(mesh, 1, self.facets, np.ones(len(self.facets), dtype=np.int32))
+    def __init__(self, body: Body, name: str) -> None:
+        self.name, self.mesh, self.full_rule = name, body.mesh, body.full_rule
+        self.facets = body.boundaries[name]
+        self.dimension = self.mesh.topology.dim - 1
+        marks = np.ones(len(self.facets), dtype=np.int32)
+        self.tags = dmesh.meshtags(self.mesh, self.dimension, self.facets, marks)
 
     def ds(self, metadata: dict[str, Any] | None = None) -> Any:
-        return ufl.Measure(
-            "ds", domain=self.mesh, subdomain_data=self.tags, subdomain_id=1, metadata=metadata or {}
-        )
+        data = {"domain": self.mesh, "subdomain_data": self.tags, "subdomain_id": 1}
+        return ufl.Measure("ds", metadata=self.full_rule if metadata is None else metadata, **data)
 
 
 class Nodal:
@@ -84,7 +168,9 @@ class Nodal:
         self.function = fem.Function(space)
         self.expressions = expressions
         self.varies_in_time = any(expression.varies_in_time for expression in expressions)
-        self.nodes: Any = slice(None) if side is None else fem.locate_dofs_topological(space, 1, side.facets)
+        self.nodes: Any = (
+            slice(None) if side is None else fem.locate_dofs_topological(space, side.dimension, side.facets)
+        )
         self.points = node_points(space, scene)[self.nodes]
         self._set(0.0)
 
@@ -139,7 +225,7 @@ class Prescribed:
 
     def add(self, side: Side, component: int, expression: Expression) -> None:
         space = self.space.sub(component) if self.size > 1 else self.space
-        dofs = fem.locate_dofs_topological(space, 1, side.facets)
+        dofs = fem.locate_dofs_topological(space, side.dimension, side.facets)
         self.parts.append((dofs, expression))
         self.bcs.append(fem.dirichletbc(PETSc.ScalarType(0.0), dofs, space))
 

@@ -40,7 +40,7 @@ FUNCTIONS: dict[str, Callable[[Array], Array]] = {
     "abs": np.abs,
 }
 VARIADIC: dict[str, Operation] = {"min": np.minimum, "max": np.maximum}
-VARIABLES = ("x", "y", "t")
+VARIABLES = ("x", "y", "z", "t")
 
 SUMS: dict[str, Operation] = {"+": np.add, "-": np.subtract}
 PRODUCTS: dict[str, Operation] = {"*": np.multiply, "/": np.divide}
@@ -59,7 +59,7 @@ TOKEN = re.compile(
 
 
 class Expression:
-    """A number or a parsed formula in x, y, t; `varies_in_time` tells whether t occurs in it."""
+    """A number or a parsed formula in x, y, z, t; `varies_in_time` tells whether t occurs in it."""
 
     def __init__(self, source: float | str) -> None:
         self.source = source
@@ -71,7 +71,8 @@ class Expression:
 
     def __call__(self, points: Array, time: float) -> Array:
         """Values at the rows of points[:, (x, y, ...)]."""
-        variables = {"x": points[:, 0], "y": points[:, 1], "t": np.asarray(time, dtype=np.float64)}
+        variables = {name: points[:, axis] for axis, name in enumerate("xyz")}
+        variables["t"] = np.asarray(time, dtype=np.float64)
         with np.errstate(all="ignore"):  # the branch of ?: that is not taken may be undefined
             values = np.broadcast_to(self._evaluate(variables), points.shape[:1])
         if not np.all(np.isfinite(values)):

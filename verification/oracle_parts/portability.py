@@ -1,5 +1,7 @@
 """The few names that differ between dolfinx 0.5 and 0.9, each behind one function."""
 
+import functools
+import inspect
 from typing import Any
 
 import numpy as np
@@ -27,6 +29,27 @@ def cell_nodes(space: Any, cells: int) -> npt.NDArray[np.int32]:
     nodes = space.dofmap.list
     flat = nodes.array if hasattr(nodes, "array") else nodes
     return np.asarray(flat, dtype=np.int32).reshape(-1, space.dofmap.dof_layout.num_dofs)[:cells]
+
+
+def mesh_of_gmsh(model: Any, comm: Any, dimension: int) -> tuple[Any, Any, Any]:
+    """Mesh without ghost cells, cell tags and facet tags from Gmsh's model on rank 0."""
+    from dolfinx import mesh as dmesh
+    from dolfinx.io import gmshio
+
+    none = dmesh.GhostMode.none
+    if "partitioner" in inspect.signature(gmshio.model_to_mesh).parameters:
+        partitioner = dmesh.create_cell_partitioner(none)
+        mesh, cells, facets = gmshio.model_to_mesh(model, comm, 0, gdim=dimension, partitioner=partitioner)[
+            :3
+        ]
+        return mesh, cells, facets
+    create = gmshio.create_mesh  # 0.5 leaves no choice of the ghosts
+    gmshio.create_mesh = functools.partial(create, ghost_mode=none)
+    try:
+        mesh, cells, facets = gmshio.model_to_mesh(model, comm, 0, gdim=dimension)
+    finally:
+        gmshio.create_mesh = create
+    return mesh, cells, facets
 
 
 def settle_geometry(mesh: Any) -> None:

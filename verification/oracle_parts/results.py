@@ -17,13 +17,11 @@ from dolfinx.fem import petsc as fem_petsc
 
 from oracle_parts import vtu
 from oracle_parts.contact import ContactSide
-from oracle_parts.domain import node_points
+from oracle_parts.domain import Body, node_points
 from oracle_parts.portability import cell_nodes, lagrange_space
 from oracle_parts.scene import Scene
 
 Array = npt.NDArray[Any]
-# Basix numbers the mid-edge nodes of a triangle by the opposite vertex, VTK along the boundary.
-VTK_ORDER = {3: [0, 1, 2], 6: [0, 1, 2, 5, 3, 4]}
 
 
 class Stopwatch:
@@ -44,16 +42,28 @@ class Stopwatch:
 
 
 class CellStress:
-    """Cell means of the stress: xx, yy, zz, xy."""
+    """Cell means of the stress: xx, yy, zz, xy, yz, xz."""
 
-    def __init__(self, mesh: Any, sigma: Any, sigma_zz: Any) -> None:
-        q = ufl.TestFunction(lagrange_space(mesh, 0, 4))
-        components = ufl.as_vector((sigma[0, 0], sigma[1, 1], sigma_zz, sigma[0, 1]))
-        self.form = fem.form(ufl.dot(components, q) / ufl.CellVolume(mesh) * ufl.dx)
+    def __init__(self, body: Body, parts: Sequence[tuple[Any, Any, Any]]) -> None:
+        """`parts`: sigma (d x d), sigma_zz of a body in 2D, and the measure of the cells where they hold."""
+        q, r = (ufl.TestFunction(lagrange_space(body.mesh, 0, size)) for size in (6, 1))
+        integrals = 0
+        for sigma, sigma_zz, dx in parts:
+            zero = 0.0 * sigma_zz
+            if body.mesh.topology.dim == 3:
+                shears = (sigma[0, 1], sigma[1, 2], sigma[0, 2])
+                components = (sigma[0, 0], sigma[1, 1], sigma[2, 2], *shears)
+            else:
+                components = (sigma[0, 0], sigma[1, 1], sigma_zz, sigma[0, 1], zero, zero)
+            integrals += ufl.dot(ufl.as_vector(components), q) * dx
+        self.form = fem.form(integrals)
+        volumes = fem_petsc.assemble_vector(fem.form(r * body.dx()))
+        self.volumes = volumes.array.copy()
+        volumes.destroy()
 
     def means(self) -> Array:
         vector = fem_petsc.assemble_vector(self.form)
-        result = vector.array.reshape(-1, 4).copy()
+        result = vector.array.reshape(-1, 6) / self.volumes[:, None]
         vector.destroy()
         return result
 
@@ -88,9 +98,12 @@ class FieldWriter:
         if self.comm.rank == 0:
             (directory / "fields").mkdir(parents=True, exist_ok=True)
         self.owned_nodes = scalar_space.dofmap.index_map.size_local
-        nodes = cell_nodes(scalar_space, mesh.topology.index_map(2).size_local)
+        tdim = mesh.topology.dim
+        nodes = cell_nodes(scalar_space, mesh.topology.index_map(tdim).size_local)
         numbers = scalar_space.dofmap.index_map.local_to_global(nodes.ravel()).reshape(nodes.shape)
-        self.cells = self._gather(numbers[:, VTK_ORDER[nodes.shape[1]]])
+        self.dimension = tdim
+        self.kind, order = vtu.VTK_CELLS[mesh.topology.cell_name(), nodes.shape[1]]
+        self.cells = self._gather(numbers[:, order])
         self.points = self._gather(node_points(scalar_space, scene)[: self.owned_nodes])
         self.order = {
             name: _node_order(function.function_space, nodes)
@@ -125,21 +138,19 @@ class FieldWriter:
             if name in self.names:
                 point_data[name] = self._gather(self._node_values(name))
         if self.stress and ("stress" in self.names or "von_mises" in self.names):
-            xx, yy, zz, xy = self._gather(self.stress.means()).T
-            stress = np.column_stack((xx, yy, zz, xy, np.zeros_like(xx), np.zeros_like(xx)))
+            stress = self._gather(self.stress.means())
             everything = {"stress": stress, "von_mises": von_mises(stress)}
             cell_data = {name: everything[name] for name in everything if name in self.names}
         if self.comm.rank != 0:
             return None
-        kind = vtu.TRIANGLE if self.cells.shape[1] == 3 else vtu.QUADRATIC_TRIANGLE
-        return vtu.Grid(self.points, self.cells, kind, point_data, cell_data)
+        return vtu.Grid(self.points, self.cells, self.kind, point_data, cell_data)
 
     def _node_values(self, name: str) -> Array:
         """The owned rows in the scalar space's numbering; vectors with three components."""
         values = self.state[name].x.array
         if name == "temperature":
             return values[: self.owned_nodes].copy()
-        return _three_components(values.reshape(-1, 2)[self.order[name][: self.owned_nodes]])
+        return _three_components(values.reshape(-1, self.dimension)[self.order[name][: self.owned_nodes]])
 
     def _contact_grid(self) -> vtu.Grid | None:
         functions = [self.state.get(name) for name in ("displacement", "velocity", "temperature")]
@@ -160,12 +171,12 @@ class FieldWriter:
         if self.comm.rank != 0:
             return None
         cells = np.arange(len(points)).reshape(len(marks), -1)
-        kind = vtu.LINE if cells.shape[1] == 2 else vtu.QUADRATIC_EDGE
-        return vtu.Grid(points, cells, kind, data, {"boundary": marks})
+        kind, order = vtu.VTK_CELLS[self.contacts[0].facet, cells.shape[1]]
+        return vtu.Grid(points, cells[:, order], kind, data, {"boundary": marks})
 
 
 def _three_components(values: Array) -> Array:
-    return np.column_stack((values, np.zeros(len(values))))
+    return np.pad(values, ((0, 0), (0, 3 - values.shape[1])))
 
 
 def _node_order(space: Any, scalar_cells: Array) -> Array:

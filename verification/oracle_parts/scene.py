@@ -1,7 +1,7 @@
-"""The scene as plain data: the keys of the interface for the two-dimensional scenes that the oracle verifies."""
+"""The scene as plain data: the keys of the interface that the oracle verifies."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,13 +13,16 @@ from oracle_parts.expressions import Expression
 from oracle_parts.tables import Table, count, expression, list_of, load_toml, number, one_of, positive
 
 Matrix = npt.NDArray[np.float64]
-SIDES = ("bottom", "left", "right", "top")
+SHAPES = {"rectangle": 2, "box": 3}
 FIELDS = ("displacement", "velocity", "temperature", "stress", "von_mises", "contact")
 
 
 @dataclass(frozen=True)
 class Tensor4:
-    """Voigt matrix (xx, yy, xy with engineering shear), and sigma_zz = out_of_plane * tr(strain)."""
+    """Voigt matrix with engineering shear, and in 2D sigma_zz = out_of_plane * tr(strain).
+
+    The order is xx, yy, xy in 2D and xx, yy, zz, yz, xz, xy in 3D.
+    """
 
     voigt: Matrix
     out_of_plane: float = 0.0
@@ -84,16 +87,27 @@ class Boundary:
 
 
 @dataclass(frozen=True)
-class Scene:
+class Shape:
+    """A rectangle or box of simplices or tensor cells."""
+
     lower: list[float]
     upper: list[float]
     cells: list[int]
+    cell: str
     diagonal: str
+
+
+@dataclass(frozen=True)
+class Scene:
+    dimension: int
+    shape: Shape | None  # None: the mesh is that of `file`
+    file: Path | None
     degree: int
     end: float
     steps: int
     material: Material | None
     heat: Heat | None
+    regions: dict[str, tuple[Material | None, Heat | None]]  # those that differ from the two above
     body_force: list[Expression] | None
     initial_displacement: list[Expression]
     initial_velocity: list[Expression]
@@ -120,12 +134,12 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
     mesh, time, initial = root.defaulted("mesh"), root.defaulted("time"), root.defaulted("initial")
     space, solver, output = root.defaulted("space"), root.defaulted("solver"), root.defaulted("output")
     load = root.table("load")
-    material = _material(root.table("material"))
-    heat = _heat(root.table("heat"), material)
+    dimension, shape, file = _mesh(mesh, path)
+    material = _material(root.table("material"), dimension)
+    heat = _heat(root.table("heat"), material, dimension)
+    regions = _regions(root.defaulted("region"), material, heat, dimension)
     if material is None and heat is None:
         raise SceneError("a scene needs [material], [heat] or both")
-    mesh.take("shape", one_of("rectangle"), "rectangle")
-    mesh.take("cell", one_of("simplex"), "simplex")
     time.take("scheme", one_of("backward-euler"), "backward-euler")
     solver.take("strategy", one_of("auto", "condensed", "newton-krylov"), "auto")
     if "velocity" in initial and (material is None or material.density is None):
@@ -133,20 +147,20 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
     sides = root.defaulted("boundary")
     end = time.take("end", positive)
     scene = Scene(
-        lower=mesh.take("lower", list_of(number, 2), [0.0, 0.0]),
-        upper=mesh.take("upper", list_of(number, 2), [1.0, 1.0]),
-        cells=mesh.take("cells", list_of(count, 2)),
-        diagonal=mesh.take("diagonal", one_of("right", "left", "crossed"), "right"),
+        dimension=dimension,
+        shape=shape,
+        file=file,
         degree=space.take("degree", one_of(1, 2), 1),
         end=end,
         steps=_steps(time, end),
         material=material,
         heat=heat,
-        body_force=load.optional("body_force", list_of(expression, 2)) if load else None,
-        initial_displacement=initial.take("displacement", list_of(expression, 2), [0.0, 0.0]),
-        initial_velocity=initial.take("velocity", list_of(expression, 2), [0.0, 0.0]),
+        regions=regions,
+        body_force=load.optional("body_force", list_of(expression, dimension)) if load else None,
+        initial_displacement=initial.take("displacement", list_of(expression, dimension), dimension * [0.0]),
+        initial_velocity=initial.take("velocity", list_of(expression, dimension), dimension * [0.0]),
         initial_temperature=initial.take("temperature", expression, 0.0),
-        boundaries={name: _boundary(sides, name, material, heat) for name in sorted(sides.left)},
+        boundaries={name: _boundary(sides, name, material, heat, dimension) for name in sorted(sides.left)},
         tolerance=solver.take("tolerance", positive, 1e-12),
         max_iterations=solver.take("max_iterations", count, 50),
         every=output.take("every", count, 1),
@@ -158,6 +172,34 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         if table:
             table.close()
     return scene
+
+
+def _mesh(mesh: Table, path: Path) -> tuple[int, Shape | None, Path | None]:
+    """The dimension, and the shape or the file."""
+    name = mesh.optional("file", str)
+    if name is not None:
+        file = path.parent / name
+        return max(dimension for dimension, _, _ in group_names(file)), None, file
+    dimension = SHAPES[mesh.take("shape", one_of(*SHAPES), "rectangle")]
+    lower = mesh.take("lower", list_of(number, dimension), dimension * [0.0])
+    upper = mesh.take("upper", list_of(number, dimension), dimension * [1.0])
+    cells = mesh.take("cells", list_of(count, dimension))
+    cell = mesh.take("cell", one_of("simplex", "tensor"), "simplex")
+    diagonal = mesh.take("diagonal", one_of("right", "left", "crossed"), "right")
+    return dimension, Shape(lower, upper, cells, cell, diagonal), None
+
+
+def group_names(file: Path) -> list[tuple[int, int, str]]:
+    """(dimension, tag, name) of the physical groups in a Gmsh file; that section is text in binary files too."""
+    try:
+        content = file.read_bytes()
+    except OSError as problem:
+        raise SceneError(f"{file}: {problem}") from problem
+    section = content.partition(b"$PhysicalNames")[2].partition(b"$EndPhysicalNames")[0].decode()
+    rows = [row.split(maxsplit=2) for row in section.split("\n")[2:] if row.strip()]
+    if not rows:
+        raise SceneError(f"{file}: the oracle needs named physical groups")
+    return [(int(dimension), int(tag), name.strip().strip('"')) for dimension, tag, name in rows]
 
 
 def _steps(time: Table, end: float) -> int:
@@ -178,29 +220,84 @@ def _fields(output: Table, scene: Scene) -> list[str]:
     return output.take("fields", list_of(one_of(*fields)), fields)
 
 
-def isotropic(trace: float, shear: float) -> Matrix:
+def isotropic(trace: float, shear: float, dimension: int) -> Matrix:
     """Voigt matrix of tau -> trace tr(tau) I + shear tau."""
-    return np.array([[trace + shear, trace, 0.0], [trace, trace + shear, 0.0], [0.0, 0.0, shear / 2]])
+    size = dimension * (dimension + 1) // 2
+    matrix = shear / 2 * np.eye(size)
+    matrix[:dimension, :dimension] = trace + shear * np.eye(dimension)
+    return matrix
 
 
 def _voigt(raw: Any) -> Matrix:
-    matrix = np.array(list_of(list_of(number, 3), 3)(raw))
+    """3 x 3 or 6 x 6, which the form that it enters will check against the dimension."""
+    matrix = np.array(list_of(list_of(number, len(raw)), len(raw))(raw))
+    if len(matrix) not in (3, 6):
+        raise ValueError("expected a Voigt matrix")
     if not np.array_equal(matrix, matrix.T):
         raise ValueError("expected a symmetric matrix")
     return matrix
 
 
-def _conductor(raw: Any) -> Matrix:
-    """A symmetric 2 x 2 matrix; the scalar s means s I."""
-    if not isinstance(raw, list):
-        return number(raw) * np.eye(2)
-    matrix = np.array(list_of(list_of(number, 2), 2)(raw))
-    if not np.array_equal(matrix, matrix.T):
-        raise ValueError("expected a symmetric matrix")
-    return matrix
+def _conductor(dimension: int) -> Callable[[Any], Matrix]:
+    """Reads a symmetric d x d matrix; the scalar s means s I."""
+
+    def convert(raw: Any) -> Matrix:
+        if not isinstance(raw, list):
+            return number(raw) * np.eye(dimension)
+        matrix = np.array(list_of(list_of(number, dimension), dimension)(raw))
+        if not np.array_equal(matrix, matrix.T):
+            raise ValueError("expected a symmetric matrix")
+        return matrix
+
+    return convert
 
 
-def _material(table: Table | None) -> Material | None:
+def _regions(
+    tables: Table, material: Material | None, heat: Heat | None, dimension: int
+) -> dict[str, tuple[Material | None, Heat | None]]:
+    """Each region's laws: its own where it has some, else the scene's."""
+    regions = {}
+    for name in sorted(tables.left):
+        table = tables.table(name)
+        assert table is not None
+        own_material, own_heat = material, heat
+        if (part := table.table("material")) is not None and material is not None:
+            own_material = _region_material(part, material, dimension)
+        if (part := table.table("heat")) is not None and heat is not None:
+            own_heat = _region_heat(part, heat, material, dimension)
+        table.close()
+        regions[name] = (own_material, own_heat)
+    return regions
+
+
+def _region_material(table: Table, general: Material, dimension: int) -> Material:
+    elasticity, viscosity = table.table("elasticity"), table.table("viscosity")
+    plane = "strain" if general.plane_strain else "stress"
+    if elasticity is not None and "young" in elasticity and dimension == 2:
+        elasticity.left.setdefault("plane", plane)
+    own = Material(
+        table.optional("density", positive),
+        _elasticity(elasticity, dimension),
+        _viscosity(viscosity, general.plane_strain, dimension),
+        general.plane_strain,
+    )
+    table.close()
+    return Material(
+        own.density if own.density is not None else general.density,
+        own.elasticity or general.elasticity,
+        own.viscosity or general.viscosity,
+        general.plane_strain,
+    )
+
+
+def _region_heat(table: Table, general: Heat, material: Material | None, dimension: int) -> Heat:
+    own = _heat_laws(table, material, dimension)
+    zz = own.thermal_stress_zz if own.thermal_stress is not None else general.thermal_stress_zz
+    given = {name: value for name, value in vars(own).items() if value is not None}
+    return replace(general, **{**given, "thermal_stress_zz": zz})
+
+
+def _material(table: Table | None, dimension: int) -> Material | None:
     if table is None:
         return None
     density = table.optional("density", positive)
@@ -209,10 +306,15 @@ def _material(table: Table | None) -> Material | None:
     if elasticity is None and viscosity is None:
         raise SceneError("material needs elasticity, viscosity or both")
     plane_strain = bool(elasticity and elasticity.left.get("plane") == "strain")
-    return Material(density, _elasticity(elasticity), _viscosity(viscosity, plane_strain), plane_strain)
+    return Material(
+        density,
+        _elasticity(elasticity, dimension),
+        _viscosity(viscosity, plane_strain, dimension),
+        plane_strain,
+    )
 
 
-def _elasticity(table: Table | None) -> Tensor4 | None:
+def _elasticity(table: Table | None, dimension: int) -> Tensor4 | None:
     if table is None:
         return None
     tensor = table.optional("tensor", _voigt)
@@ -220,16 +322,16 @@ def _elasticity(table: Table | None) -> Tensor4 | None:
         table.close()
         return Tensor4(tensor)
     young, poisson = table.take("young", positive), table.take("poisson", number)
-    plane = table.take("plane", one_of("stress", "strain"), "stress")
+    plane = table.take("plane", one_of("stress", "strain"), "stress") if dimension == 2 else "none"
     table.close()
     shear = young / (1 + poisson)
     if plane == "stress":
-        return Tensor4(isotropic(young * poisson / (1 - poisson**2), shear))
+        return Tensor4(isotropic(young * poisson / (1 - poisson**2), shear, 2))
     lame = young * poisson / ((1 + poisson) * (1 - 2 * poisson))
-    return Tensor4(isotropic(lame, shear), lame)
+    return Tensor4(isotropic(lame, shear, dimension), lame)
 
 
-def _viscosity(table: Table | None, plane_strain: bool) -> Tensor4 | None:
+def _viscosity(table: Table | None, plane_strain: bool, dimension: int) -> Tensor4 | None:
     if table is None:
         return None
     tensor = table.optional("tensor", _voigt)
@@ -238,29 +340,35 @@ def _viscosity(table: Table | None, plane_strain: bool) -> Tensor4 | None:
         return Tensor4(tensor)
     trace, shear = table.take("trace", number), table.take("shear", number)
     table.close()
-    return Tensor4(isotropic(trace, shear), trace if plane_strain else 0.0)
+    return Tensor4(isotropic(trace, shear, dimension), trace if plane_strain else 0.0)
 
 
-def _heat(table: Table | None, material: Material | None) -> Heat | None:
+def _heat(table: Table | None, material: Material | None, dimension: int) -> Heat | None:
     if table is None:
         return None
+    heat = _heat_laws(table, material, dimension)
+    if heat.capacity is None and heat.conductivity is None:
+        raise SceneError("heat needs capacity, conductivity or both")
+    if material is None and (heat.thermal_stress is not None or heat.strain_heating is not None):
+        raise SceneError("heat.thermal_stress and heat.strain_heating need [material]")
+    return heat
+
+
+def _heat_laws(table: Table, material: Material | None, dimension: int) -> Heat:
+    conductor = _conductor(dimension)
     out_of_plane = (
         material and material.plane_strain and not isinstance(table.left.get("thermal_stress"), list)
     )
-    thermal_stress = table.optional("thermal_stress", _conductor)
+    thermal_stress = table.optional("thermal_stress", conductor)
     heat = Heat(
         capacity=table.optional("capacity", positive),
-        conductivity=table.optional("conductivity", _conductor),
+        conductivity=table.optional("conductivity", conductor),
         source=table.optional("source", expression),
         thermal_stress=thermal_stress,
         thermal_stress_zz=float(thermal_stress[0, 0]) if thermal_stress is not None and out_of_plane else 0.0,
-        strain_heating=table.optional("strain_heating", _conductor),
+        strain_heating=table.optional("strain_heating", conductor),
     )
     table.close()
-    if heat.capacity is None and heat.conductivity is None:
-        raise SceneError("heat needs capacity, conductivity or both")
-    if material is None and (thermal_stress is not None or heat.strain_heating is not None):
-        raise SceneError("heat.thermal_stress and heat.strain_heating need [material]")
     return heat
 
 
@@ -268,14 +376,14 @@ def _free_or_expression(raw: Any) -> Expression | None:
     return None if raw == "free" else expression(raw)
 
 
-def _boundary(sides: Table, name: str, material: Material | None, heat: Heat | None) -> Boundary:
-    if name not in SIDES:
-        raise SceneError(f"boundary.{name}: the sides of a rectangle are {', '.join(SIDES)}")
+def _boundary(
+    sides: Table, name: str, material: Material | None, heat: Heat | None, dimension: int
+) -> Boundary:
     table = sides.table(name)
     assert table is not None
     boundary = Boundary(
-        displacement=table.optional("displacement", list_of(_free_or_expression, 2)),
-        traction=table.optional("traction", list_of(expression, 2)),
+        displacement=table.optional("displacement", list_of(_free_or_expression, dimension)),
+        traction=table.optional("traction", list_of(expression, dimension)),
         temperature=table.optional("temperature", expression),
         heat_flux=table.optional("heat_flux", expression),
         contact=_contact(table.table("contact")),

@@ -52,7 +52,7 @@ def summary(
         "scene": scene.resolved,
         "physics": physics(scene),
         "mesh": {
-            "cells": mesh.topology.index_map(2).size_global,
+            "cells": mesh.topology.index_map(mesh.topology.dim).size_global,
             "vertices": mesh.topology.index_map(0).size_global,
             "unknowns": {"displacement": 0, "temperature": 0, **unknowns},
         },

@@ -14,7 +14,27 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-LINE, TRIANGLE, QUADRATIC_EDGE, QUADRATIC_TRIANGLE = 3, 5, 21, 22
+LINE, TRIANGLE = 3, 5
+# VTK's type of the cell, and the place of VTK's nodes among Basix's, by kind of cell and number of nodes
+VTK_CELLS: dict[tuple[str, int], tuple[int, list[int]]] = {
+    ("interval", 2): (3, [0, 1]),
+    ("interval", 3): (21, [0, 1, 2]),
+    ("triangle", 3): (5, [0, 1, 2]),
+    ("triangle", 6): (22, [0, 1, 2, 5, 3, 4]),
+    ("quadrilateral", 4): (9, [0, 1, 3, 2]),
+    ("quadrilateral", 9): (28, [0, 1, 3, 2, 4, 6, 7, 5, 8]),
+    ("tetrahedron", 4): (10, [0, 1, 2, 3]),
+    ("tetrahedron", 10): (24, [0, 1, 2, 3, 9, 6, 8, 7, 5, 4]),
+    ("hexahedron", 8): (12, [0, 1, 3, 2, 4, 5, 7, 6]),
+    ("hexahedron", 27): (
+        29,
+        [0, 1, 3, 2, 4, 5, 7, 6]
+        + [8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 15, 14]
+        + [22, 23, 21, 24, 20, 25]
+        + [26],
+    ),
+}
+VERTICES = {3: 2, 21: 2, 5: 3, 22: 3, 9: 4, 28: 4, 10: 4, 24: 4, 12: 8, 29: 8}
 TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "Int64": "<i8", "UInt8": "|u1", "UInt64": "<u8"}
 NAMES = {np.dtype(code): name for name, code in TYPES.items()}
 HEADER = np.dtype("<u8")

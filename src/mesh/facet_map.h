@@ -1,0 +1,33 @@
+/// The facets of cells by their vertices, and which cells share them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace thermocontact::mesh {
+
+/// Sorted vertices of a facet, -1 in unused places.
+using FacetKey = std::array<std::int32_t, 4>;
+
+FacetKey facet_key(std::span<const std::int32_t> vertices);
+
+struct FacetKeyHash {
+    std::size_t operator()(const FacetKey& key) const;
+};
+
+/// A facet of a cell, by the number that it has there.
+struct CellFacet {
+    std::int32_t cell, local;
+};
+
+/// All facets of the mesh with the cells they belong to: one outside, two inside.
+using FacetMap = std::unordered_map<FacetKey, std::vector<CellFacet>, FacetKeyHash>;
+
+FacetMap map_facets(const Mesh& mesh);
+
+}  // namespace thermocontact::mesh

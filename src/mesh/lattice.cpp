@@ -1,0 +1,88 @@
+#include "mesh/lattice.h"
+
+#include <algorithm>
+
+#include "mesh/cell_shape.h"
+
+namespace thermocontact::mesh {
+
+Lattice::Lattice(const scene::MeshSpec& spec) : dimension_(spec.cells.size()) {
+    for (std::size_t axis = 0; axis < dimension_; ++axis) {
+        cells_[axis] = spec.cells[axis];
+        lower_[axis] = spec.lower[axis];
+        upper_[axis] = spec.upper[axis];
+    }
+}
+
+std::int32_t Lattice::size() const {
+    return (cells_[0] + 1) * (cells_[1] + 1) * (cells_[2] + 1);
+}
+
+Point Lattice::at(double i, double j, double k) const {
+    const std::array<double, 3> place{i, j, k};
+    Point x{};
+    for (std::size_t axis = 0; axis < dimension_; ++axis) {
+        const double h = (upper_[axis] - lower_[axis]) / cells_[axis];
+        x[axis] = place[axis] == cells_[axis] ? upper_[axis] : lower_[axis] + place[axis] * h;
+    }
+    return x;
+}
+
+std::vector<Point> Lattice::points() const {
+    std::vector<Point> points;
+    for (std::int32_t k = 0; k <= cells_[2]; ++k) {
+        for (std::int32_t j = 0; j <= cells_[1]; ++j) {
+            for (std::int32_t i = 0; i <= cells_[0]; ++i) {
+                points.push_back(at(i, j, k));
+            }
+        }
+    }
+    return points;
+}
+
+std::vector<std::int32_t> Lattice::corners(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    std::vector<std::int32_t> result;
+    for (std::int32_t corner = 0; corner < 1 << dimension_; ++corner) {
+        result.push_back(vertex(i + corner % 2, j + corner / 2 % 2, k + corner / 4));
+    }
+    return result;
+}
+
+std::int32_t Lattice::side_of(std::span<const std::int32_t> vertices) const {
+    // [axis][lower, upper] as they come in the alphabet: back, bottom, front, left, right, top in 3D
+    constexpr std::int32_t in_plane[2][2] = {{1, 2}, {0, 3}};
+    constexpr std::int32_t in_space[3][2] = {{3, 4}, {1, 5}, {2, 0}};
+    if (std::ranges::any_of(vertices, [&](std::int32_t v) { return v >= size(); })) {
+        return -1;
+    }
+    std::int32_t stride = 1;
+    for (std::size_t axis = 0; axis < dimension_; stride *= cells_[axis++] + 1) {
+        const auto along = [&](std::int32_t v) { return v / stride % (cells_[axis] + 1); };
+        for (const int upper : {0, 1}) {
+            const std::int32_t wanted = upper * cells_[axis];
+            if (std::ranges::all_of(vertices, [&](std::int32_t v) { return along(v) == wanted; })) {
+                return dimension_ == 2 ? in_plane[axis][upper] : in_space[axis][upper];
+            }
+        }
+    }
+    return -1;
+}
+
+void add_sides(const Lattice& lattice, Mesh& mesh) {
+    const CellShape& shape = cell_shape(mesh.cell);
+    std::vector<std::int32_t> facet;
+    for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
+        for (std::size_t local = 0; local < shape.facets.size(); ++local) {
+            facet.clear();
+            for (const int v : shape.facets[local]) {
+                facet.push_back(mesh.vertices_of(cell)[static_cast<std::size_t>(v)]);
+            }
+            if (const auto side = lattice.side_of(facet); side >= 0) {
+                mesh.facets.push_back({cell, static_cast<std::int32_t>(local), side});
+            }
+        }
+    }
+    std::ranges::stable_sort(mesh.facets, {}, &Facet::boundary);
+}
+
+}  // namespace thermocontact::mesh

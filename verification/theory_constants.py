@@ -21,7 +21,7 @@ from dolfinx import fem
 from dolfinx.fem import petsc as fem_petsc
 from mpi4py import MPI
 
-from oracle_parts.domain import Prescribed, Side, create_mesh
+from oracle_parts.domain import Prescribed, Side, create_body
 from oracle_parts.portability import lagrange_space
 from oracle_parts.scene import Scene, read_scene
 
@@ -55,11 +55,12 @@ class Space:
 
 def expected(scene: Scene) -> dict[str, float]:
     """The constants by name, of a body that is held."""
-    mesh = create_mesh(MPI.COMM_SELF, scene)
-    sides = {name: Side(mesh, scene, name) for name in scene.boundaries}
+    body = create_body(MPI.COMM_SELF, scene)
+    mesh = body.mesh
+    sides = {name: Side(body, name) for name in scene.boundaries}
     found: dict[str, float] = {}
     if scene.material:
-        space = lagrange_space(mesh, scene.degree, 2)
+        space = lagrange_space(mesh, scene.degree, scene.dimension)
         prescribed = Prescribed(space, scene)
         for name, boundary in scene.boundaries.items():
             for component, value in enumerate(boundary.displacement or []):

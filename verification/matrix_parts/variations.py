@@ -29,7 +29,9 @@ def _mesh_and_time() -> dict[str, list[Variation]]:
         "mesh.diagonal": vary(CONTACT, "mesh.diagonal", "right", same=DEFAULT)
         + vary(CONTACT, "mesh.diagonal", "left", "crossed")
         + vary("contact right", "mesh.diagonal", "left", "crossed", beside={"space.degree": 2}),
-        "mesh.cell": vary(CONTACT, "mesh.cell", "simplex", same=DEFAULT),
+        "mesh.cell": vary(CONTACT, "mesh.cell", "simplex", same=DEFAULT)
+        + vary(CONTACT, "mesh.cell", "tensor")
+        + vary("contact left", "mesh.cell", "tensor", beside={"space.degree": 2}),
         "space.degree": vary(CONTACT, "space.degree", 1, same=DEFAULT)
         + [Variation(base, {"space.degree": 2}) for base in (CONTACT, "contact left", "coupled", "heat")],
         "time.end": vary(CONTACT, "time.end", 0.45),

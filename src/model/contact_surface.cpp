@@ -44,7 +44,9 @@ ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mes
                                                             {},
                                                             {},
                                                             {}});
-        surface->nodes = space.boundary_nodes(mesh, surface->facets.front().boundary);
+        // by the name: this part of the mesh may have no facet there
+        const auto index = std::ranges::find(mesh.boundary_names, name) - mesh.boundary_names.begin();
+        surface->nodes = space.boundary_nodes(mesh, static_cast<std::int32_t>(index));
         surface->gap.resize(space.nodes.size());
         if (surface->laws.conductance) {
             surface->foundation_temperature.resize(space.nodes.size());

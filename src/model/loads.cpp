@@ -30,7 +30,7 @@ Loads Loads::mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const
     }
     for (const auto& [name, boundary] : scene.boundaries) {
         if (!boundary.traction.empty()) {
-            loads.add("traction.load", "f", boundary.traction, facets_of(mesh, name));
+            loads.add_on_facets("traction.load", "f", boundary.traction, facets_of(mesh, name));
         }
     }
     std::ranges::for_each(sources, [&](const Source& source) { loads.add(source); });
@@ -43,7 +43,7 @@ Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fe
     loads.add_sources(scene);
     for (const auto& [name, boundary] : scene.boundaries) {
         if (boundary.heat_flux) {
-            loads.add("heat_flux.load", "flux", {*boundary.heat_flux}, facets_of(mesh, name));
+            loads.add_on_facets("heat_flux.load", "flux", {*boundary.heat_flux}, facets_of(mesh, name));
         }
     }
     std::ranges::for_each(sources, [&](const Source& source) { loads.add(source); });
@@ -65,6 +65,13 @@ void Loads::add_sources(const scene::Scene& scene) {
     }
     if (scene.heat->source && (scene.regions.empty() || !cells[""].empty())) {
         add("heat_source.load", "q0", {*scene.heat->source}, {}, cells[""]);
+    }
+}
+
+void Loads::add_on_facets(const std::string& kernel, const std::string& coefficient,
+                          std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets) {
+    if (!facets.empty()) {  // of several processes some have none
+        add(kernel, coefficient, std::move(expressions), std::move(facets));
     }
 }
 
@@ -103,6 +110,9 @@ void Loads::add(const Source& source) {
     auto term = std::make_unique<Term>();
     if (!source.boundary.empty()) {
         term->facets = facets_of(*mesh_, source.boundary);
+        if (term->facets.empty()) {
+            return;
+        }
     }
     const bool varies = std::ranges::count(source.kernel.constants, "t") > 0;
     term->form = std::make_unique<fem::Form>(source.kernel, *mesh_, fem::Constants{{"t", {0.0}}});

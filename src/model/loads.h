@@ -46,6 +46,8 @@ class Loads {
     };
 
     Loads(const mesh::Mesh& mesh, const fem::Space& space, int components);
+    void add_on_facets(const std::string& kernel, const std::string& coefficient,
+                       std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets);
     void add(const std::string& kernel, const std::string& coefficient,
              std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets,
              std::vector<std::int32_t> cells = {});

@@ -99,7 +99,8 @@ std::vector<std::int32_t> partition(const mesh::Mesh& mesh, int processes) {
     if (processes > 1 && mesh.cell_count() > processes) {
         idx_t cells = mesh.cell_count(), vertices = static_cast<idx_t>(mesh.points.size()), count = processes,
               cut = 0;
-        idx_t common = mesh.dimension;  // cells that share so many vertices share a facet
+        // cells that share so many vertices share a facet
+        idx_t common = mesh.cell == "hexahedron" ? 4 : mesh.dimension;
         std::vector<idx_t> offsets(parts.size() + 1), indices(mesh.cells.begin(), mesh.cells.end());
         for (std::size_t i = 0; i < offsets.size(); ++i) {
             offsets[i] = static_cast<idx_t>(i) * mesh.vertices_per_cell;

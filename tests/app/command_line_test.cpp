@@ -104,8 +104,11 @@ TEST(CommandLine, MistakesInArguments) {
     EXPECT_EQ(message({"run", "a.toml", "b.toml"}), "run: unexpected argument \"b.toml\"");
     EXPECT_EQ(message({"run", "a.toml", "check"}), "run: unexpected argument \"check\"");
     EXPECT_EQ(message({"schema", "json"}), "schema: unexpected argument \"json\"");
-    EXPECT_EQ(message({"run", "a.toml", "--", "-ksp_view"}),
-              "options of PETSc behind \"--\" are not supported in this version; leave them out");
+}
+
+TEST(CommandLine, WordsBehindTheDashesArePetscs) {
+    EXPECT_EQ(message({"run", "a.toml", "--", "-ksp_view"}), "");
+    EXPECT_EQ(message({"--", "run"}), message({}));
 }
 
 }  // namespace

@@ -203,6 +203,7 @@ def _solver_and_output() -> dict[str, list[Variation]]:
             *vary(CONTACT, "solver.strategy", "auto", same=DEFAULT),
             *vary(CONTACT, "solver.strategy", "condensed", same=SOLVER_ONLY),
             *vary("mechanics", "solver.strategy", "condensed", same=SOLVER_ONLY),
+            *vary(CONTACT, "solver.strategy", "newton-krylov", same=SOLVER_ONLY),
         ],
         "solver.tolerance": vary(CONTACT, "solver.tolerance", 1e-13, 3e-12, same=SOLVER_ONLY),
         "solver.max_iterations": [

@@ -106,6 +106,7 @@ class Copy:
         flags = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DCMAKE_CXX_FLAGS_RELEASE=-O1"]
         switches = [
             "-DTHERMOCONTACT_TESTS=OFF",
+            "-DKERNEL_CELLS=triangle",
             "-DTHERMOCONTACT_MANUFACTURED=ON",
             "-DTHERMOCONTACT_NATIVE=OFF",
         ]

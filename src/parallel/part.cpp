@@ -74,8 +74,9 @@ mesh::Mesh part_of(const mesh::Mesh& whole, const Selection& cells) {
 
 /// Global numbers: process by process, in the order of the whole space.
 NodeNumbers number(const std::vector<std::int32_t>& owners, const std::vector<std::int32_t>& kept,
-                   int processes) {
+                   int processes, int rank) {
     NodeNumbers numbers;
+    numbers.rank = rank;
     numbers.first.assign(static_cast<std::size_t>(processes) + 1, 0);
     for (const std::int32_t owner : owners) {
         ++numbers.first[static_cast<std::size_t>(owner) + 1];
@@ -127,7 +128,8 @@ Part take_part(mesh::Mesh mesh, fem::Space space, int processes, int rank) {
     const auto all_cells = std::int64_t{mesh.cell_count()};
     const auto all_vertices = static_cast<std::int64_t>(mesh.points.size());
     if (processes == 1) {
-        NodeNumbers numbers{std::vector<std::int32_t>(space.nodes.size()), {0, space.dofmap.node_count}, {}};
+        NodeNumbers numbers{
+            std::vector<std::int32_t>(space.nodes.size()), {0, space.dofmap.node_count}, 0, {}};
         std::iota(numbers.global.begin(), numbers.global.end(), 0);
         numbers.whole = numbers.global;
         return {std::move(mesh), std::move(space), std::move(numbers), all_cells, all_vertices};
@@ -147,7 +149,8 @@ Part take_part(mesh::Mesh mesh, fem::Space space, int processes, int rank) {
     for (std::int32_t& node : cell_nodes) {
         node = nodes(node);
     }
-    Part part{part_of(mesh, cells), space, number(owners, nodes.kept, processes), all_cells, all_vertices};
+    Part part{part_of(mesh, cells), space, number(owners, nodes.kept, processes, rank), all_cells,
+              all_vertices};
     part.space.nodes = rows_of(space.nodes, 1, nodes.kept);
     part.space.dofmap.cell_nodes = std::move(cell_nodes);
     part.space.dofmap.node_count = static_cast<std::int32_t>(nodes.kept.size());

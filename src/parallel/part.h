@@ -17,7 +17,12 @@ namespace thermocontact::parallel {
 struct NodeNumbers {
     std::vector<std::int32_t> global;  ///< [nodes of the part]
     std::vector<std::int32_t> first;   ///< [processes + 1]: first node owned by each, then the count of all
+    int rank = 0;                      ///< the process of this part
     std::vector<std::int32_t> whole;   ///< [nodes of the part]: the node in the whole mesh's space
+
+    std::int32_t begin() const { return first[static_cast<std::size_t>(rank)]; }  ///< owned from here
+    std::int32_t end() const { return first[static_cast<std::size_t>(rank) + 1]; }
+    std::int32_t total() const { return first.back(); }
 };
 
 struct Part {

@@ -27,6 +27,9 @@ class Team {
         return number;
     }
 
+    /// Whether some process says so.
+    bool any(bool here) const { return max(here ? 1.0 : 0.0) > 0; }
+
     /// Sums every member of a structure that holds doubles only.
     template <typename Sums>
     Sums summed(const Sums& here) const {

@@ -6,15 +6,13 @@
 
 #include "petsc/check.h"
 #include "petsc/shared_matrix.h"
+#include "solve/line_search.h"
 
 namespace thermocontact::petsc {
 namespace {
 
-constexpr int max_halvings = 20;
-constexpr double sufficient_decrease = 1e-4;  ///< Armijo's constant
-constexpr double loosest = 1e-2;              ///< relative tolerance of the first linear solves of a step
+constexpr double loosest = 1e-2;  ///< relative tolerance of the first linear solves of a step
 constexpr double tightest = 1e-10;
-constexpr double most_round_off = 1000;  ///< Newton tolerances that round-off may take, never more
 constexpr PetscInt most_iterations = 1000;
 constexpr PetscInt gmres_restart = 60;
 constexpr double worn_out = 1.5;  ///< times the iterations of a new hierarchy: time for another
@@ -24,13 +22,6 @@ double norm(Vec v) {
     PetscReal result = 0;
     check(VecNorm(v, NORM_2, &result));
     return result;
-}
-
-/// Whether some process says so.
-bool any(bool here) {
-    int result = here ? 1 : 0;
-    MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_INT, MPI_MAX, PETSC_COMM_WORLD);
-    return result != 0;
 }
 
 /// Rigid motions, or nothing for scalars, whose constant PETSc assumes by itself.
@@ -54,10 +45,12 @@ void set_near_null_space(Mat matrix, const parallel::Part& part, SharedVectors& 
 
 }  // namespace
 
-KrylovProblem::KrylovProblem(const solve::StepProblemInput& input, const parallel::Part& part)
+KrylovProblem::KrylovProblem(const solve::StepProblemInput& input, const parallel::Part& part,
+                             const parallel::Team& team)
     : name_(input.name),
       matrix_(&input.matrix),
       part_(&part),
+      team_(&team),
       fixed_(input.fixed),
       options_(input.newton),
       symmetric_(input.symmetric),
@@ -68,13 +61,11 @@ KrylovProblem::KrylovProblem(const solve::StepProblemInput& input, const paralle
         if (input.contact_nodes[dof / b] != 0 && fixed_[dof] == 0) {
             contact_dofs_.push_back(static_cast<std::int32_t>(dof));
         }
-    }
-    for (std::size_t dof = 0; dof < fixed_.size(); ++dof) {
         if (const PetscInt index = owned_index(dof); fixed_[dof] != 0 && index >= 0) {
             owned_fixed_.push_back(index);
         }
     }
-    has_contact_ = any(!contact_dofs_.empty());
+    has_contact_ = team.any(!contact_dofs_.empty());
     set_near_null_space(tangent_, part, vectors_);
     if (has_contact_) {
         check(MatStoreValues(tangent_));
@@ -118,21 +109,21 @@ Eigen::VectorXd KrylovProblem::begin(const std::vector<double>& rhs, const std::
     free_only(local_);
     vectors_.add_up(local_, rhs_);
     Eigen::VectorXd x(vectors_.owned());
-    for (std::size_t i = 0; i < part_->numbers.global.size(); ++i) {
-        const auto b = static_cast<std::size_t>(vectors_.components());
-        for (std::size_t c = 0; c < b; ++c) {
-            if (const PetscInt at = owned_index(i * b + c); at >= 0) {
-                x[at] = fixed_[i * b + c] != 0 ? 0.0 : start[i * b + c];
-            }
+    for (std::size_t dof = 0; dof < start.size(); ++dof) {
+        if (const PetscInt index = owned_index(dof); index >= 0) {
+            x[index] = fixed_[dof] != 0 ? 0.0 : start[dof];
         }
     }
     return x;
 }
 
-PetscInt KrylovProblem::owned_index(std::size_t dof) const {
+PetscInt KrylovProblem::global_index(std::size_t dof) const {
     const auto b = static_cast<std::size_t>(vectors_.components());
-    const auto global = static_cast<PetscInt>(static_cast<std::size_t>(part_->numbers.global[dof / b]) * b + dof % b);
-    const PetscInt index = global - vectors_.begin();
+    return part_->numbers.global[dof / b] * vectors_.components() + static_cast<PetscInt>(dof % b);
+}
+
+PetscInt KrylovProblem::owned_index(std::size_t dof) const {
+    const PetscInt index = global_index(dof) - vectors_.begin();
     return index >= 0 && index < vectors_.owned() ? index : -1;
 }
 
@@ -165,18 +156,14 @@ void KrylovProblem::update_tangent(solve::NonlinearTerm& F) {
         return;
     }
     check(MatRetrieveValues(tangent_));
-    const auto b = vectors_.components();
     std::vector<PetscInt> rows;
     F.visit_derivative(
         contact_x_, [&](std::span<const std::int32_t> unknowns, std::span<const double> tensor) {
             rows.clear();
-            for (const std::int32_t unknown : unknowns) {
-                if (unknown < 0) {
-                    rows.push_back(-1);  // PETSc leaves negative rows and columns out
-                    continue;
-                }
-                const std::int32_t dof = contact_dofs_[static_cast<std::size_t>(unknown)];
-                rows.push_back(part_->numbers.global[static_cast<std::size_t>(dof / b)] * b + dof % b);
+            for (const std::int32_t unknown : unknowns) {  // PETSc leaves negative rows and columns out
+                rows.push_back(unknown < 0 ? -1
+                                           : global_index(static_cast<std::size_t>(
+                                                 contact_dofs_[static_cast<std::size_t>(unknown)])));
             }
             const auto n = static_cast<PetscInt>(rows.size());
             check(MatSetValues(tangent_, n, rows.data(), n, rows.data(), tensor.data(), ADD_VALUES));
@@ -243,12 +230,12 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         if (!std::isfinite(current.norm)) {
             return {NewtonEnd::not_finite, iteration, current.relative};
         }
-            if (current.relative <= options_.tolerance) {
+        if (current.relative <= options_.tolerance) {
             return {NewtonEnd::converged, iteration, current.relative};
         }
         const auto stalled = [&](NewtonEnd end) -> solve::NewtonResult {
-            const bool done =
-                current.relative <= most_round_off * options_.tolerance && current.norm <= round_off(x_);
+            const bool done = current.relative <= solve::most_round_off * options_.tolerance &&
+                              current.norm <= round_off(x_);
             return {done ? NewtonEnd::converged : end, iteration, current.relative};
         };
         if (iteration == options_.max_iterations) {
@@ -261,20 +248,17 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
             return stalled(NewtonEnd::singular);
         }
         const double before = current.norm;
-        double length = 1.0;
-        for (int halving = 0;; ++halving, length /= 2) {
-            if (halving == max_halvings) {
-                residual(F, x_);
-                return stalled(NewtonEnd::line_search_failed);
-            }
+        Residual next{};
+        const bool found = solve::line_search(before, [&](double length) {
             check(VecWAXPY(candidate_, -length, update_, x_));
-            const Residual next = residual(F, candidate_);
-            if (next.norm <= (1 - sufficient_decrease * length) * current.norm) {
-                check(VecCopy(candidate_, x_));
-                current = next;
-                break;
-            }
+            next = residual(F, candidate_);
+            return next.norm;
+        });
+        if (!found) {
+            return stalled(NewtonEnd::line_search_failed);
         }
+        check(VecCopy(candidate_, x_));
+        current = next;
         // Eisenstat and Walker, choice 2
         const double ratio = current.norm / before;
         forcing = std::clamp(0.9 * ratio * ratio, tightest, loosest);
@@ -292,8 +276,7 @@ double KrylovProblem::largest_unknown(const Eigen::VectorXd& start) {
         check(VecNorm(update_, NORM_INFINITY, &solution));
         largest = std::max(largest, solution);
     }
-    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
-    return largest;
+    return team_->max(largest);
 }
 
 bool KrylovProblem::finish(const Eigen::VectorXd& x, std::vector<double>& solution) {
@@ -305,7 +288,7 @@ bool KrylovProblem::finish(const Eigen::VectorXd& x, std::vector<double>& soluti
             solution[dof] = local_x_[dof];
         }
     }
-    return !any(!x.allFinite());
+    return !team_->any(!x.allFinite());
 }
 
 }  // namespace thermocontact::petsc

@@ -12,7 +12,8 @@ namespace thermocontact::petsc {
 
 class KrylovProblem final : public solve::StepProblem {
   public:
-    KrylovProblem(const solve::StepProblemInput& input, const parallel::Part& part);
+    KrylovProblem(const solve::StepProblemInput& input, const parallel::Part& part,
+                  const parallel::Team& team);
 
     const std::vector<std::int32_t>& contact_dofs() const override { return contact_dofs_; }
     Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) override;
@@ -29,6 +30,7 @@ class KrylovProblem final : public solve::StepProblem {
     void update_tangent(solve::NonlinearTerm& F);
     bool solve_linear(double tolerance);
     double round_off(Vec x);
+    PetscInt global_index(std::size_t dof) const;
     PetscInt owned_index(std::size_t dof) const;  ///< -1: another process owns it
     void free_only(std::vector<double>& local) const;
     void make_solver();
@@ -36,12 +38,13 @@ class KrylovProblem final : public solve::StepProblem {
     std::string name_;
     const fem::BlockMatrix* matrix_;
     const parallel::Part* part_;
+    const parallel::Team* team_;
     std::vector<char> fixed_;
     solve::NewtonOptions options_;
     bool symmetric_;
     std::vector<std::int32_t> contact_dofs_;
     std::vector<PetscInt> owned_fixed_;  ///< among the owned
-    bool has_contact_;  ///< on any process
+    bool has_contact_;                   ///< on any process
     SharedVectors vectors_;
     Matrix tangent_;  ///< A + dF/dx; A's values are stored beside
     Solver solver_;
@@ -57,7 +60,7 @@ class NewtonKrylov final : public solve::Strategy {
     std::string name() const override { return "newton-krylov"; }
     const parallel::Team& team() const override { return *team_; }
     std::unique_ptr<solve::StepProblem> prepare(const solve::StepProblemInput& input) override {
-        return std::make_unique<KrylovProblem>(input, *part_);
+        return std::make_unique<KrylovProblem>(input, *part_, *team_);
     }
 
   private:

@@ -3,20 +3,9 @@
 #include "petsc/check.h"
 
 namespace thermocontact::petsc {
-namespace {
-
-int rank() {
-    PetscMPIInt result = 0;
-    MPI_Comm_rank(PETSC_COMM_WORLD, &result);
-    return result;
-}
-
-}  // namespace
-
 SharedVectors::SharedVectors(const parallel::NodeNumbers& numbers, int components) : components_(components) {
-    const auto here = static_cast<std::size_t>(rank());
-    begin_ = numbers.first[here] * components;
-    owned_ = numbers.first[here + 1] * components - begin_;
+    begin_ = numbers.begin() * components;
+    owned_ = numbers.end() * components - begin_;
     check(VecCreateMPI(PETSC_COMM_WORLD, owned_, PETSC_DETERMINE, shape_.put()));
     const auto nodes = static_cast<PetscInt>(numbers.global.size());
     check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, nodes * components, nullptr, local_.put()));

@@ -3,14 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include "solve/line_search.h"
+
 namespace thermocontact::solve {
 namespace {
 
-constexpr int max_halvings = 20;
-constexpr double sufficient_decrease = 1e-4;  ///< Armijo's constant
-constexpr double kept_factors_rate = 0.1;     ///< the least contraction that makes old factors worth keeping
-constexpr double most_round_off = 1000;       ///< tolerances that round-off may take, never more
-constexpr double smallest_pivot = 1e-14;      ///< of the largest entry in its row; below is round-off
+constexpr double kept_factors_rate = 0.1;  ///< the least contraction that makes old factors worth keeping
+constexpr double smallest_pivot = 1e-14;   ///< of the largest entry in its row; below is round-off
 
 }  // namespace
 
@@ -119,21 +118,19 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
             return {NewtonEnd::singular, iteration, current.relative};
         }
         const Eigen::VectorXd direction = -factors_.solve(current.value);
-        double length = 1.0;
-        for (int halving = 0;; ++halving, length /= 2) {
-            if (halving == max_halvings) {
-                const bool done = is_round_off(x, current);
-                return {done ? NewtonEnd::converged : NewtonEnd::line_search_failed, iteration,
-                        current.relative};
-            }
-            Eigen::VectorXd candidate = x + length * direction;
-            Residual next = residual(S, s, F, candidate);
-            if (next.norm <= (1 - sufficient_decrease * length) * current.norm) {
-                x = std::move(candidate);
-                current = std::move(next);
-                break;
-            }
+        Eigen::VectorXd candidate;
+        Residual next;
+        const bool found = line_search(current.norm, [&](double length) {
+            candidate = x + length * direction;
+            next = residual(S, s, F, candidate);
+            return next.norm;
+        });
+        if (!found) {
+            const bool done = is_round_off(x, current);
+            return {done ? NewtonEnd::converged : NewtonEnd::line_search_failed, iteration, current.relative};
         }
+        x = std::move(candidate);
+        current = std::move(next);
     }
 }
 

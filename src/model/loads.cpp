@@ -26,11 +26,11 @@ Loads Loads::mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const
                         const std::vector<Source>& sources) {
     Loads loads(mesh, space, scene.dimension);
     if (!scene.body_force.empty()) {
-        loads.add("body_force.load", "f", scene.body_force, {});
+        loads.add("body_force.load", "f", scene.body_force, AllCells{});
     }
     for (const auto& [name, boundary] : scene.boundaries) {
         if (!boundary.traction.empty()) {
-            loads.add_on_facets("traction.load", "f", boundary.traction, facets_of(mesh, name));
+            loads.add("traction.load", "f", boundary.traction, facets_of(mesh, name));
         }
     }
     std::ranges::for_each(sources, [&](const Source& source) { loads.add(source); });
@@ -43,7 +43,7 @@ Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fe
     loads.add_sources(scene);
     for (const auto& [name, boundary] : scene.boundaries) {
         if (boundary.heat_flux) {
-            loads.add_on_facets("heat_flux.load", "flux", {*boundary.heat_flux}, facets_of(mesh, name));
+            loads.add("heat_flux.load", "flux", {*boundary.heat_flux}, facets_of(mesh, name));
         }
     }
     std::ranges::for_each(sources, [&](const Source& source) { loads.add(source); });
@@ -59,63 +59,59 @@ void Loads::add_sources(const scene::Scene& scene) {
         cells[scene.regions.contains(name) ? name : ""].push_back(cell);
     }
     for (const auto& [name, region] : scene.regions) {
-        if (region.heat && region.heat->source && !cells[name].empty()) {
-            add("heat_source.load", "q0", {*region.heat->source}, {}, cells[name]);
+        if (region.heat && region.heat->source) {
+            add("heat_source.load", "q0", {*region.heat->source}, cells[name]);
         }
     }
-    if (scene.heat->source && (scene.regions.empty() || !cells[""].empty())) {
-        add("heat_source.load", "q0", {*scene.heat->source}, {}, cells[""]);
+    if (scene.heat->source) {
+        add("heat_source.load", "q0", {*scene.heat->source},
+            scene.regions.empty() ? Domain(AllCells{}) : Domain(cells[""]));
     }
 }
 
-void Loads::add_on_facets(const std::string& kernel, const std::string& coefficient,
-                          std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets) {
-    if (!facets.empty()) {  // of several processes some have none
-        add(kernel, coefficient, std::move(expressions), std::move(facets));
+/// The nodes that the expressions of a term matter at.
+std::vector<std::int32_t> Loads::nodes_of(const Domain& domain) const {
+    std::vector<std::int32_t> nodes;
+    if (const Facets* facets = std::get_if<Facets>(&domain)) {
+        // off the facets the shape functions vanish on them, so their values do not matter
+        for (const mesh::Facet& facet : *facets) {
+            const auto of_facet = space_->facet_nodes(facet);
+            nodes.insert(nodes.end(), of_facet.begin(), of_facet.end());
+        }
+        std::ranges::sort(nodes);
+        const auto repeated = std::ranges::unique(nodes);
+        nodes.erase(repeated.begin(), repeated.end());
+    } else {
+        nodes.resize(space_->nodes.size());
+        std::iota(nodes.begin(), nodes.end(), 0);
     }
+    return nodes;
 }
 
 void Loads::add(const std::string& kernel, const std::string& coefficient,
-                std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets,
-                std::vector<std::int32_t> cells) {
+                std::vector<scene::Expression> expressions, Domain domain) {
     auto term = std::make_unique<Term>();
-    term->expressions = std::move(expressions);
     term->nodal.resize(constant_.size());
-    if (facets.empty()) {
-        term->nodes.resize(space_->nodes.size());
-        std::iota(term->nodes.begin(), term->nodes.end(), 0);
-    } else {
-        // off the facets the shape functions vanish on them, so their values do not matter
-        for (const mesh::Facet& facet : facets) {
-            const auto nodes = space_->facet_nodes(facet);
-            term->nodes.insert(term->nodes.end(), nodes.begin(), nodes.end());
-        }
-        std::ranges::sort(term->nodes);
-        const auto repeated = std::ranges::unique(term->nodes);
-        term->nodes.erase(repeated.begin(), repeated.end());
-    }
-    term->facets = std::move(facets);
-    term->cells = std::move(cells);
+    term->nodes = nodes_of(domain);
+    term->domain = std::move(domain);
+    term->expressions = std::move(expressions);
     const fem::Fields fields{{coefficient, {&term->nodal, components_, &space_->dofmap}}};
     term->form = std::make_unique<fem::Form>(fem::find_kernel(kernel, mesh_->cell, space_->element.degree),
                                              *mesh_, fem::Constants{}, fields);
-    if (depends_on_time(term->expressions)) {
-        varying_.push_back(std::move(term));
-    } else {
-        assemble(*term, 0.0, constant_);
-    }
+    const bool varies = depends_on_time(term->expressions);
+    keep(std::move(term), varies);
 }
 
 void Loads::add(const Source& source) {
     auto term = std::make_unique<Term>();
     if (!source.boundary.empty()) {
-        term->facets = facets_of(*mesh_, source.boundary);
-        if (term->facets.empty()) {
-            return;
-        }
+        term->domain = facets_of(*mesh_, source.boundary);
     }
-    const bool varies = std::ranges::count(source.kernel.constants, "t") > 0;
     term->form = std::make_unique<fem::Form>(source.kernel, *mesh_, fem::Constants{{"t", {0.0}}});
+    keep(std::move(term), std::ranges::count(source.kernel.constants, "t") > 0);
+}
+
+void Loads::keep(std::unique_ptr<Term> term, bool varies) {
     if (varies) {
         varying_.push_back(std::move(term));
     } else {
@@ -126,12 +122,12 @@ void Loads::add(const Source& source) {
 void Loads::assemble(Term& term, double t, std::vector<double>& vector) {
     term.form->set_constant("t", t);
     interpolate_at(*space_, term.expressions, term.nodes, t, term.nodal);
-    if (!term.cells.empty()) {
-        fem::assemble_cells(*term.form, term.cells, space_->dofmap, components_, vector);
-    } else if (term.facets.empty()) {
-        fem::assemble_cells(*term.form, space_->dofmap, components_, vector);
+    if (const Cells* cells = std::get_if<Cells>(&term.domain)) {
+        fem::assemble_cells(*term.form, *cells, space_->dofmap, components_, vector);
+    } else if (const Facets* facets = std::get_if<Facets>(&term.domain)) {
+        fem::assemble_facets(*term.form, *facets, space_->dofmap, components_, vector);
     } else {
-        fem::assemble_facets(*term.form, term.facets, space_->dofmap, components_, vector);
+        fem::assemble_cells(*term.form, space_->dofmap, components_, vector);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "fem/block_matrix.h"
@@ -36,23 +37,26 @@ class Loads {
     const std::vector<double>& at(double t);
 
   private:
+    struct AllCells {};
+    using Cells = std::vector<std::int32_t>;
+    using Facets = std::vector<mesh::Facet>;
+    using Domain = std::variant<AllCells, Cells, Facets>;  ///< a process may have none of the cells or facets
+
     struct Term {
+        Domain domain;
         std::vector<scene::Expression> expressions;  ///< none for compiled sources
         std::vector<double> nodal;                   ///< interpolated expressions
         std::vector<std::int32_t> nodes;
-        std::vector<mesh::Facet> facets;  ///< empty: over the cells
-        std::vector<std::int32_t> cells;  ///< these alone; empty: all
         std::unique_ptr<fem::Form> form;
     };
 
     Loads(const mesh::Mesh& mesh, const fem::Space& space, int components);
-    void add_on_facets(const std::string& kernel, const std::string& coefficient,
-                       std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets);
     void add(const std::string& kernel, const std::string& coefficient,
-             std::vector<scene::Expression> expressions, std::vector<mesh::Facet> facets,
-             std::vector<std::int32_t> cells = {});
+             std::vector<scene::Expression> expressions, Domain domain);
     void add(const Source& source);
     void add_sources(const scene::Scene& scene);
+    void keep(std::unique_ptr<Term> term, bool varies);
+    std::vector<std::int32_t> nodes_of(const Domain& domain) const;
     void assemble(Term& term, double t, std::vector<double>& vector);
 
     const mesh::Mesh* mesh_;

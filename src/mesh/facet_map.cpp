@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "mesh/cell_shape.h"
-
 namespace thermocontact::mesh {
 
 FacetKey facet_key(std::span<const std::int32_t> vertices) {
@@ -22,17 +20,23 @@ std::size_t FacetKeyHash::operator()(const FacetKey& key) const {
     return hash;
 }
 
+void gather_vertices(const Mesh& mesh, const CellShape& shape, const CellFacet& facet,
+                     std::vector<std::int32_t>& vertices) {
+    vertices.clear();
+    for (const int v : shape.facets[static_cast<std::size_t>(facet.local)]) {
+        vertices.push_back(mesh.vertices_of(facet.cell)[static_cast<std::size_t>(v)]);
+    }
+}
+
 FacetMap map_facets(const Mesh& mesh) {
     const CellShape& shape = cell_shape(mesh.cell);
     FacetMap map;
     std::vector<std::int32_t> vertices;
     for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
         for (std::size_t local = 0; local < shape.facets.size(); ++local) {
-            vertices.clear();
-            for (const int v : shape.facets[local]) {
-                vertices.push_back(mesh.vertices_of(cell)[static_cast<std::size_t>(v)]);
-            }
-            map[facet_key(vertices)].push_back({cell, static_cast<std::int32_t>(local)});
+            const CellFacet facet{cell, static_cast<std::int32_t>(local)};
+            gather_vertices(mesh, shape, facet, vertices);
+            map[facet_key(vertices)].push_back(facet);
         }
     }
     return map;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "mesh/cell_shape.h"
 #include "mesh/mesh.h"
 
 namespace thermocontact::mesh {
@@ -24,6 +25,10 @@ struct FacetKeyHash {
 struct CellFacet {
     std::int32_t cell, local;
 };
+
+/// The vertices of a facet, in the order of the cell's shape, into `vertices`.
+void gather_vertices(const Mesh& mesh, const CellShape& shape, const CellFacet& facet,
+                     std::vector<std::int32_t>& vertices);
 
 /// All facets of the mesh with the cells they belong to: one outside, two inside.
 using FacetMap = std::unordered_map<FacetKey, std::vector<CellFacet>, FacetKeyHash>;

@@ -117,6 +117,8 @@ std::optional<std::string> overlaps(const Mesh& mesh, const FacetMap& facets, co
     const auto tag = [&](const CellFacet& at) {
         return std::to_string(tags.cells[static_cast<std::size_t>(at.cell)]);
     };
+    const CellShape& shape = cell_shape(mesh.cell);
+    std::vector<std::int32_t> facet;
     for (const auto& [key, cells] : facets) {
         if (cells.size() == 1) {
             continue;
@@ -125,10 +127,7 @@ std::optional<std::string> overlaps(const Mesh& mesh, const FacetMap& facets, co
             return "elements " + tag(cells[0]) + ", " + tag(cells[1]) + " and " + tag(cells[2]) +
                    " share one facet; expected at most two cells at a facet";
         }
-        std::vector<std::int32_t> facet;
-        for (const int v : cell_shape(mesh.cell).facets[static_cast<std::size_t>(cells[0].local)]) {
-            facet.push_back(mesh.vertices_of(cells[0].cell)[static_cast<std::size_t>(v)]);
-        }
+        gather_vertices(mesh, shape, cells[0], facet);
         const double one = side(mesh, facet, centre(mesh, mesh.vertices_of(cells[0].cell)));
         const double other = side(mesh, facet, centre(mesh, mesh.vertices_of(cells[1].cell)));
         if (one * other > 0) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesh/cell_shape.h"
+#include "mesh/facet_map.h"
 
 namespace thermocontact::mesh {
 
@@ -70,15 +71,13 @@ std::int32_t Lattice::side_of(std::span<const std::int32_t> vertices) const {
 
 void add_sides(const Lattice& lattice, Mesh& mesh) {
     const CellShape& shape = cell_shape(mesh.cell);
-    std::vector<std::int32_t> facet;
+    std::vector<std::int32_t> vertices;
     for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
         for (std::size_t local = 0; local < shape.facets.size(); ++local) {
-            facet.clear();
-            for (const int v : shape.facets[local]) {
-                facet.push_back(mesh.vertices_of(cell)[static_cast<std::size_t>(v)]);
-            }
-            if (const auto side = lattice.side_of(facet); side >= 0) {
-                mesh.facets.push_back({cell, static_cast<std::int32_t>(local), side});
+            const CellFacet facet{cell, static_cast<std::int32_t>(local)};
+            gather_vertices(mesh, shape, facet, vertices);
+            if (const auto side = lattice.side_of(vertices); side >= 0) {
+                mesh.facets.push_back({facet.cell, facet.local, side});
             }
         }
     }

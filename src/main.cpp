@@ -48,7 +48,7 @@ int report(int code, const std::string& reason) {
 
 /// Errors of scene and numerics meet all processes alike: the first one tells of them.
 int fail_together(const parallel::Backend* backend, int code, const std::string& reason) {
-    return backend == nullptr || backend->team().rank() == 0 ? report(code, reason) : code;
+    return parallel::is_first(backend) ? report(code, reason) : code;
 }
 
 /// Other errors may meet one process only: it tells, and ends them all.

@@ -22,29 +22,29 @@ void catch_signal(int signal) {
     caught_signal = signal;
 }
 
-/// Marches until the end or a signal.
-void march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress,
-              output::Seconds& seconds, int& signal) {
+/// Marches until the end or a signal; returns the signal, or 0.
+int march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress,
+             output::Seconds& seconds) {
+    int signal = 0;
     while (!simulation.finished() && signal == 0) {
         timed(seconds.steps, [&] { simulation.advance(); });
         timed(seconds.output, [&] { progress.step(simulation, results.add_step()); });
-        signal =
-            static_cast<int>(simulation.team().max(caught_signal));  // processes catch it at different steps
+        signal = static_cast<int>(simulation.team().max(caught_signal));  // not all catch it in the same step
     }
+    return signal;
 }
 
 /// Assembles and factors; a scene that cannot be factored leaves a summary that says so.
 std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const std::filesystem::path& folder,
                                            const parallel::Backend* backend) {
-    const bool first = backend == nullptr || backend->team().rank() == 0;
-    if (first) {
-        output::make_folder(
-            folder);  // before all else: a folder that cannot be written to would waste the work
+    if (parallel::is_first(
+            backend)) {  // before all else: a folder that cannot be written to would waste the work
+        output::make_folder(folder);
     }
     try {
         return std::make_unique<march::Simulation>(scene, model::Sources{}, backend);
     } catch (const NumericsError& error) {
-        if (first) {
+        if (parallel::is_first(backend)) {
             output::write_setup_failure(folder, scene, error.what());
         }
         throw;
@@ -59,7 +59,7 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
     if (backend == nullptr && scene.solver.strategy == "newton-krylov") {
         parallel::continue_with_petsc();
     }
-    const bool speaks = backend == nullptr || backend->team().rank() == 0;
+    const bool speaks = parallel::is_first(backend);
     output::Progress progress(scene, command.quiet || !speaks);
     const auto simulation = prepare(scene, command.output, backend);
     output::Seconds seconds;
@@ -78,18 +78,17 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
     };
     int signal = 0;
     try {
-        march_on(*simulation, results, progress, seconds, signal);
+        signal = march_on(*simulation, results, progress, seconds);
     } catch (const NumericsError& error) {
         finish("failed", error.what());
         throw;
     }
     if (!simulation->finished()) {
         finish("interrupted", "signal " + std::to_string(signal));
-        if (!speaks) {
-            return exit_of_signal(signal);
+        if (speaks) {
+            std::cerr << "thermocontact: interrupted after step " << simulation->state().step
+                      << "; results so far in " << command.output.string() << "\n";
         }
-        std::cerr << "thermocontact: interrupted after step " << simulation->state().step
-                  << "; results so far in " << command.output.string() << "\n";
         return exit_of_signal(signal);
     }
     finish("completed", "");

@@ -1,8 +1,8 @@
 #include "fem/block_matrix.h"
 
 #include <algorithm>
-#include <numeric>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace thermocontact::fem {

@@ -14,11 +14,11 @@ namespace thermocontact::march {
 namespace {
 
 parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend) {
+    const parallel::Alone alone;
+    const parallel::Team& team = backend != nullptr ? backend->team() : alone;
     mesh::Mesh mesh = mesh::make_mesh(scene.mesh);
     fem::Space space = fem::make_space(mesh, scene.degree);
-    const int processes = backend != nullptr ? backend->team().size() : 1;
-    return parallel::take_part(std::move(mesh), std::move(space), processes,
-                               backend != nullptr ? backend->team().rank() : 0);
+    return parallel::take_part(std::move(mesh), std::move(space), team.size(), team.rank());
 }
 
 std::unique_ptr<solve::Strategy> choose(const scene::Scene& scene, const fem::NodeGraph& graph,

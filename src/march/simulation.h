@@ -52,6 +52,12 @@ class Simulation {
     /// Where the time of the steps went.
     StepSeconds step_seconds() const;
 
+    /// Unknowns of each field over all processes; 0 for absent physics.
+    std::int64_t displacement_unknowns() const {
+        return scene_->material ? std::int64_t{part_.numbers.total()} * scene_->dimension : 0;
+    }
+    std::int64_t temperature_unknowns() const { return scene_->heat ? part_.numbers.total() : 0; }
+
     /// Numbers stored in the Cholesky factors.
     std::int64_t factor_entries() const;
 

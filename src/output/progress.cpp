@@ -49,15 +49,14 @@ void Progress::header(const march::Simulation& simulation) const {
         physics += (physics.empty() ? "" : ", ") + name;
     }
     const parallel::Part& part = simulation.part();
-    const auto nodes = std::int64_t{part.numbers.first.back()};
     std::cerr << "thermocontact " << version_text() << "\n";
     if (!scene_->title.empty()) {
         std::cerr << "scene     " << scene_->title << "\n";
     }
     std::cerr << "mesh      " << part.cells << " cells, " << part.vertices << " vertices, degree "
               << scene_->degree << "\n"
-              << "unknowns  " << (scene_->material ? nodes * scene_->dimension : 0) << " displacement, "
-              << (scene_->heat ? nodes : 0) << " temperature\n"
+              << "unknowns  " << simulation.displacement_unknowns() << " displacement, "
+              << simulation.temperature_unknowns() << " temperature\n"
               << "physics   " << physics << "\n"
               << "time      " << scene_->time.steps << " steps to t = " << short_text(scene_->time.end)
               << ", " << scene_->time.scheme << "\n"

@@ -62,12 +62,11 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     result["scene"] = scene.resolved;
     result["physics"] = model::physics_of(scene);
     const parallel::Part& part = simulation.part();
-    const auto nodes = std::int64_t{part.numbers.first.back()};
     result["mesh"] = {{"cells", part.cells},
                       {"vertices", part.vertices},
                       {"unknowns",
-                       {{"displacement", scene.material ? nodes * scene.dimension : 0},
-                        {"temperature", scene.heat ? nodes : 0}}}};
+                       {{"displacement", simulation.displacement_unknowns()},
+                        {"temperature", simulation.temperature_unknowns()}}}};
     result["solver"] = {{"strategy", simulation.strategy().name()},
                         {"why", strategy_reason(scene, simulation)},
                         {"processes", simulation.team().size()},

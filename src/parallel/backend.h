@@ -23,6 +23,11 @@ class Backend {
     virtual std::unique_ptr<solve::Strategy> newton_krylov(const Part& part) const = 0;
 };
 
+/// Whether this process speaks for all: without a backend it is alone.
+inline bool is_first(const Backend* backend) {
+    return backend == nullptr || backend->team().rank() == 0;
+}
+
 /// In `thermocontact`: nothing, and `thermocontact-petsc` takes over where mpirun started the process. In
 /// `thermocontact-petsc`: MPI and PETSc, with the options behind "--".
 std::unique_ptr<Backend> open_backend(int argc, char** argv);

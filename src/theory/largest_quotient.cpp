@@ -74,9 +74,17 @@ Vector first_guess(const Quotient& quotient) {
     return v;
 }
 
+constexpr double tolerance = 1e-10;
+
+/// Whether the first guess is an eigenvector already, as where B is of rank 1: from there Lanczos' method has
+/// no direction to go but round-off. As the guess holds a part of each eigenvector, no larger value is left
+/// out.
+bool is_eigenvector(const Quotient& quotient, const Vector& start) {
+    return quotient.size == 1 || relative_residual(quotient, start, value(quotient, start)) <= tolerance;
+}
+
 Vector eigenvector(const Quotient& quotient, const Vector& start, double scale) {
     constexpr Eigen::Index wanted = 1, largest_subspace = 24, restarts = 1000;
-    constexpr double tolerance = 1e-10;
     Numerator numerator{&quotient, scale};
     Denominator denominator{&quotient};
     Spectra::SymGEigsSolver<Numerator, Denominator, Spectra::GEigsMode::RegularInverse> solver(
@@ -102,7 +110,7 @@ Eigenvalue largest_quotient(const Quotient& quotient) {
     }
     // the test of convergence is partly absolute: scaled, the eigenvalue is of the order of 1
     const double scale = value(quotient, start);
-    const Vector v = quotient.size > 1 ? eigenvector(quotient, start, scale) : start;
+    const Vector v = is_eigenvector(quotient, start) ? start : eigenvector(quotient, start, scale);
     const double mu = value(quotient, v), residual = relative_residual(quotient, v, mu);
     if (!(residual <= greatest_residual)) {
         throw NumericsError("an eigenvalue of the theory's constants has the relative residual " +

@@ -233,10 +233,12 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         if (current.relative <= options_.tolerance) {
             return {NewtonEnd::converged, iteration, current.relative};
         }
+        const auto is_round_off = [&] {
+            return current.relative <= solve::most_round_off * options_.tolerance &&
+                   current.norm <= round_off(x_);
+        };
         const auto stalled = [&](NewtonEnd end) -> solve::NewtonResult {
-            const bool done = current.relative <= solve::most_round_off * options_.tolerance &&
-                              current.norm <= round_off(x_);
-            return {done ? NewtonEnd::converged : end, iteration, current.relative};
+            return {is_round_off() ? NewtonEnd::converged : end, iteration, current.relative};
         };
         if (iteration == options_.max_iterations) {
             return stalled(NewtonEnd::too_many_iterations);
@@ -249,12 +251,18 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         }
         const double before = current.norm;
         Residual next{};
-        const bool found = solve::line_search(before, [&](double length) {
+        const auto work = [&] {  // of the residual along the step, which is -update
+            PetscScalar product = 0;
+            check(VecDot(update_, residual_, &product));
+            return -product;
+        };
+        const solve::LineResidual start{before, work()};
+        const auto attempt = [&](double length) -> solve::LineResidual {
             check(VecWAXPY(candidate_, -length, update_, x_));
             next = residual(F, candidate_);
-            return next.norm;
-        });
-        if (!found) {
+            return {next.norm, work()};
+        };
+        if (!solve::line_search(start, is_round_off, attempt)) {
             return stalled(NewtonEnd::line_search_failed);
         }
         check(VecCopy(candidate_, x_));

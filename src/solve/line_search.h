@@ -1,23 +1,79 @@
 /// What Newton's method does alike in every strategy: the line search, and when round-off excuses a residual.
 #pragma once
 
+#include <cmath>
+
 namespace thermocontact::solve {
 
 inline constexpr double most_round_off = 1000;  ///< tolerances that round-off may take, never more
 
-/// Halves the length of the step, from 1, until `attempt(length)`, the norm of the residual there, is lower
-/// than `norm` as Armijo asks. False if no length is short enough; else the last one tried is to be taken.
+/// The residual R at x + length d: its norm, and the work d . R.
+struct LineResidual {
+    double norm, work;
+};
+
+namespace line {
+
+/// The first length of 1, 1/2, 1/4, ... at which the norm of the residual is lower as Armijo asks.
 template <typename Attempt>
-bool line_search(double norm, Attempt&& attempt) {
+bool lower_norm(double norm, Attempt&& attempt) {
     constexpr int lengths = 20;
     constexpr double sufficient_decrease = 1e-4;  // Armijo's constant
     double length = 1.0;
     for (int i = 0; i < lengths; ++i, length /= 2) {
-        if (attempt(length) <= (1 - sufficient_decrease * length) * norm) {
+        if (attempt(length).norm <= (1 - sufficient_decrease * length) * norm) {
             return true;
         }
     }
     return false;
+}
+
+/// A length in (0, 1] at which the work has fallen to a tenth, or is not yet used up at 1: regula falsi on
+/// the work, Illinois variant.
+template <typename Attempt>
+bool little_work(double work, Attempt&& attempt) {
+    constexpr int lengths = 60;
+    constexpr double remainder = 0.1;
+    double low = 0, low_work = work, high = 1, high_work = attempt(high).work;
+    const auto enough = [&](double left) { return std::abs(left) <= remainder * std::abs(work); };
+    if (!(low_work < 0) || !std::isfinite(high_work)) {
+        return false;
+    }
+    if (high_work <= 0 || enough(high_work)) {
+        return true;
+    }
+    int side = 0;
+    for (int i = 0; i < lengths; ++i) {
+        const double length = (low * high_work - high * low_work) / (high_work - low_work);
+        const double left = attempt(length).work;
+        if (enough(left)) {
+            return true;
+        }
+        if (left < 0) {
+            low = length, low_work = left;
+            high_work *= side == -1 ? 0.5 : 1.0;
+            side = -1;
+        } else {
+            high = length, high_work = left;
+            low_work *= side == 1 ? 0.5 : 1.0;
+            side = 1;
+        }
+    }
+    return false;
+}
+
+}  // namespace line
+
+/// Seeks a length for Newton's step; `attempt(length)` evaluates the residual there, `start` is that at
+/// length 0. First the norm of the residual is to fall. Where it does not, and round-off does not excuse the
+/// start, the work of the residual along the step is to vanish: at the kinks of the contact laws Newton's
+/// direction need not lower the norm however short the step, but for frictionless contact and for heat the
+/// work vanishes at the minimum of a convex energy. False if neither is found; else the last length tried is
+/// to be taken.
+template <typename Excused, typename Attempt>
+bool line_search(const LineResidual& start, Excused&& is_round_off, Attempt&& attempt) {
+    return line::lower_norm(start.norm, attempt) ||
+           (!is_round_off() && line::little_work(start.work, attempt));
 }
 
 }  // namespace thermocontact::solve

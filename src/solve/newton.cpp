@@ -102,8 +102,12 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
             polish(S, s, F, x, current);
             return {NewtonEnd::converged, iteration, current.relative};
         }
+        const auto stalled = [&](NewtonEnd end) -> NewtonResult {
+            const bool done = is_round_off(x, current);
+            return {done ? NewtonEnd::converged : end, iteration, current.relative};
+        };
         if (iteration == options_.max_iterations) {
-            return {NewtonEnd::too_many_iterations, iteration, current.relative};
+            return stalled(NewtonEnd::too_many_iterations);
         }
         if (has_factors_) {
             Eigen::VectorXd candidate = x - factors_.solve(current.value);
@@ -120,14 +124,15 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
         const Eigen::VectorXd direction = -factors_.solve(current.value);
         Eigen::VectorXd candidate;
         Residual next;
-        const bool found = line_search(current.norm, [&](double length) {
+        const auto attempt = [&](double length) -> LineResidual {
             candidate = x + length * direction;
             next = residual(S, s, F, candidate);
-            return next.norm;
-        });
-        if (!found) {
-            const bool done = is_round_off(x, current);
-            return {done ? NewtonEnd::converged : NewtonEnd::line_search_failed, iteration, current.relative};
+            return {next.norm, direction.dot(next.value)};
+        };
+        const LineResidual start{current.norm, direction.dot(current.value)};
+        if (!line_search(
+                start, [&] { return is_round_off(x, current); }, attempt)) {
+            return stalled(NewtonEnd::line_search_failed);
         }
         x = std::move(candidate);
         current = std::move(next);

@@ -1,0 +1,73 @@
+"""The cases: each parameter alone, pairs of them on a grid, random draws, and situations.
+
+A case is a name (unique, what it does), a group, and a scene. Draws come from one seed, so that a name always means
+the same scene.
+"""
+
+import itertools
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from extremes_parts.parameters import BASE, BY_NAME, PAIRS, PARAMETERS, Parameter
+from extremes_parts.situations import situations
+from matrix_parts.scenes import Flat, changed
+
+GRID = 4  # values of each of a pair
+SEED = 20260101
+
+
+@dataclass(frozen=True)
+class Case:
+    name: str
+    group: str  # "alone", "pair", "draw", "situation"
+    scene: Flat
+    values: tuple[tuple[str, float], ...] = ()
+    singular: bool = False  # the scene has no unique solution, so that stopping with that reason is the right end
+
+
+def all_cases(draws: int) -> list[Case]:
+    cases = [*_alone(), *_pairs(), *_draws(draws)]
+    cases += [Case(s.name, "situation", s.scene, (), s.singular) for s in situations()]
+    names = [case.name for case in cases]
+    if len(set(names)) != len(names):
+        raise AssertionError("two cases have one name")
+    return cases
+
+
+def _case(group: str, chosen: list[tuple[Parameter, float]], name: str = "") -> Case:
+    scene = dict(BASE)
+    for parameter, value in chosen:
+        scene = changed(scene, parameter.keys(value))
+    values = tuple((parameter.name, value) for parameter, value in chosen)
+    text = name or ", ".join(f"{parameter} = {value:.6g}" for parameter, value in values)
+    return Case(text, group, scene, values)
+
+
+def _alone() -> Iterator[Case]:
+    for parameter in PARAMETERS:
+        for value in parameter.values:
+            yield _case("alone", [(parameter, value)])
+
+
+def _spread(parameter: Parameter) -> list[float]:
+    """GRID of its values, the limits among them."""
+    last = len(parameter.values) - 1
+    return [parameter.values[round(i * last / (GRID - 1))] for i in range(GRID)]
+
+
+def _pairs() -> Iterator[Case]:
+    for first, second in PAIRS:
+        a, b = BY_NAME[first], BY_NAME[second]
+        for value, other in itertools.product(_spread(a), _spread(b)):
+            yield _case("pair", [(a, value), (b, other)])
+
+
+def _draws(count: int) -> Iterator[Case]:
+    generator = random.Random(SEED)
+    for number in range(count):
+        # half of them draw a few parameters, the others all
+        some = generator.randint(2, 5) if number % 2 == 0 else len(PARAMETERS)
+        chosen = generator.sample(PARAMETERS, some)
+        pairs = [(parameter, parameter.between(generator.random())) for parameter in chosen]
+        yield _case("draw", pairs, f"draw {number}")

@@ -1,0 +1,85 @@
+"""A second opinion on completed cases: the oracle, or where it fails the driver at other settings.
+
+How near the two must be is measured and not assumed: the driver solves the scene once more with all loads (or, without
+any, the stiffness) larger by NUDGE, and what that changes says how far round-off may carry: a relative error of one
+operation is amplified like the nudge. The allowance is the agreement asked of all scenes, 1e-9, plus ALLOWANCE times
+the change for a nudge of the size that 1e-16 and some thousand operations make of a datum.
+"""
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from extremes_parts.cases import SEED
+from extremes_parts.judge import COMPLETED
+from extremes_parts.parameters import CONTACT
+from extremes_parts.runs import Driver
+from matrix_parts.change import change
+from matrix_parts.runs import oracle, oracle_failure
+from matrix_parts.scenes import Flat
+
+if TYPE_CHECKING:
+    from extremes_parts.report import Row
+
+NUDGE = 1e-12
+ALLOWANCE = 10.0
+AGREEMENT = 1e-9
+LONGEST = 1000  # steps: longer cases are left out, for the oracle takes minutes for them
+WORKERS = 2
+
+
+@dataclass(frozen=True)
+class Opinion:
+    by: str  # "oracle" or "other settings"
+    agrees: bool
+    text: str
+
+
+def second_opinions(rows: "Sequence[Row]", driver: Driver, share: float) -> dict[int, Opinion]:
+    """By the number of the row."""
+    completed = [
+        number
+        for number, row in enumerate(rows)
+        if row.verdict.outcome == COMPLETED and int(row.case.scene["time.steps"]) <= LONGEST
+    ]
+    count = min(len(completed), round(share * len(completed) + 0.5)) if share > 0 else 0
+    chosen = sorted(random.Random(SEED).sample(completed, count))
+    jobs = [(rows[number].ended.directory.with_suffix(".toml"), _oracle_folder(rows[number])) for number in chosen]
+    oracle(jobs, driver.folder, WORKERS)
+    return {number: _opinion(rows[number], driver) for number in chosen}
+
+
+def _oracle_folder(row: "Row") -> Path:
+    directory = row.ended.directory
+    return directory.with_name(directory.name + "-oracle")
+
+
+def _opinion(row: "Row", driver: Driver) -> Opinion:
+    directory = row.ended.directory
+    nudged = driver.run(directory.name + "-nudged", _nudged(row.case.scene))
+    sensitivity = change(directory, nudged.directory)[0] if nudged.code == 0 else 1.0
+    allowed = AGREEMENT + ALLOWANCE * sensitivity
+    failure = oracle_failure(_oracle_folder(row))
+    by, other = "oracle", _oracle_folder(row)
+    if failure:
+        ended = driver.run(directory.name + "-other", _other_settings(row.case.scene))
+        by, other = "other settings", ended.directory
+        if ended.code != 0:
+            return Opinion("nobody", True, f"{failure}; driver at other settings: {ended.text()}")
+    difference, where = change(directory, other)
+    return Opinion(by, difference <= allowed, f"{by}: {difference:.1e} in {where}, allowed {allowed:.1e}")
+
+
+def _nudged(scene: Flat) -> Flat:
+    name = next((key for key in _NUDGEABLE if isinstance(scene.get(key), float)), None)
+    return {**scene, name: scene[name] * (1 + NUDGE)} if name else dict(scene)
+
+
+_NUDGEABLE = ("time.end", f"{CONTACT}.compliance.stiffness", "heat.capacity")
+
+
+def _other_settings(scene: Flat) -> Flat:
+    """Another elimination order of the unknowns would be best; another Newton path is what the settings offer."""
+    return {**scene, "solver.tolerance": 1e-10, "solver.strategy": "newton-krylov"}

@@ -62,7 +62,7 @@ struct Heat {
     std::optional<SymmetricTensor> conductivity;    ///< W/(m K)
     std::optional<Expression> source;               ///< W/m^3
     std::optional<SymmetricTensor> thermal_stress;  ///< M, Pa/K
-    std::optional<SymmetricTensor> strain_heating;  ///< R, Pa/K (W/m^3 per unit strain)
+    std::optional<SymmetricTensor> strain_heating;  ///< R, W/m^3 (per unit strain)
 };
 
 /// What one named region of the mesh is made of: the scene's defaults with the region's own numbers over

@@ -102,7 +102,7 @@ std::vector<Key> material_keys() {
         {.name = "heat.thermal_stress", .type = Type::symmetric_tensor, .unit = "Pa/K", .needs = {"material"},
          .example = "[[1.0, 0.5], [0.5, 1.0]]",
          .description = "M in the stress -theta M of a temperature theta; a number means isotropic."},
-        {.name = "heat.strain_heating", .type = Type::symmetric_tensor, .unit = "Pa/K", .needs = {"material"},
+        {.name = "heat.strain_heating", .type = Type::symmetric_tensor, .unit = "W/m^3", .needs = {"material"},
          .example = "1.5",
          .description = "R in the heat R : e(u) produced per volume by a strain e(u); a number means "
          "isotropic."},

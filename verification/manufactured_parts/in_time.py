@@ -1,4 +1,4 @@
-"""Sources and errors of the manufactured solutions of the study in time (cases.py), named CASE_..."""
+"""Sources and errors of the manufactured solutions of the study in time (cases.py), named as compiled.py says"""
 
 from space import Q, V, mesh
 from ufl import Coefficient, Constant

@@ -1,6 +1,6 @@
 """Errors against resolution on logarithmic axes, each beside a line of the slope that theory gives it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,25 +19,44 @@ LOOKS: dict[str, dict[str, Any]] = {
 }
 DASHES = {1: "-", 2: "--"}  # by degree
 THEORY = {"color": "#9e9e9e", "linewidth": 0.9, "zorder": 0}
+APART = 1.3  # between sizes that are both written at the axis
+SHOWN = "slipping"  # in the picture of all cells: it has all physics
 
 
 def draw(curves: Sequence[Curve], album: Album, name: str) -> None:
-    """A picture a cell and scheme: a row a study, a column a case."""
-    for cell, scheme in dict.fromkeys((curve.cell, curve.scheme) for curve in curves):
-        chosen = [curve for curve in curves if (curve.cell, curve.scheme) == (cell, scheme)]
-        cases = list(dict.fromkeys(curve.case for curve in chosen))
-        studies = list(dict.fromkeys(curve.study for curve in chosen))
-        figure, grid = panels(len(studies), len(cases), WIDTH, HEIGHT, sharey="row")
-        for curve in chosen:
-            line(grid[studies.index(curve.study)][cases.index(curve.case)], curve)
-        for row, study in zip(grid, studies):
-            row[0].set_ylabel(f"error, {'h alone' if study == 'space' else f'k alone, {scheme}'}")
-            for axes, case in zip(row, cases):
-                axes.set_title(case)
-                axes.set_xlabel(WHAT[study])
-                ticks(axes, [curve for curve in chosen if curve.study == study])
-        legend(figure, grid, chosen)
-        album.save(figure, f"{name}-{cell}-{scheme}")
+    """A picture of all cells, a column each, and one of each cell, a column a case."""
+    cases = list(dict.fromkeys(curve.case for curve in curves))
+    shown = SHOWN if SHOWN in cases else cases[0]
+    sheet(
+        [c for c in curves if c.case == shown], lambda c: c.cell, lambda cell: f"{cell}, {shown}", album, name
+    )
+    for cell in dict.fromkeys(curve.cell for curve in curves):
+        own = [curve for curve in curves if curve.cell == cell]
+        sheet(own, lambda c: c.case, str, album, f"{name}-{cell}")
+
+
+def sheet(
+    curves: Sequence[Curve],
+    column_of: Callable[[Curve], str],
+    title: Callable[[str], str],
+    album: Album,
+    name: str,
+) -> None:
+    """A row for h and one for k with each scheme."""
+    columns = list(dict.fromkeys(map(column_of, curves)))
+    rows = list(dict.fromkeys((curve.study, curve.scheme) for curve in curves))
+    figure, grid = panels(len(rows), len(columns), WIDTH, HEIGHT, sharey="row")
+    for axes_of_row, (study, scheme) in zip(grid, rows):
+        axes_of_row[0].set_ylabel(f"error, {'h alone' if study == 'space' else f'k alone, {scheme}'}")
+        for axes, column in zip(axes_of_row, columns):
+            chosen = [c for c in curves if (c.study, c.scheme, column_of(c)) == (study, scheme, column)]
+            for curve in chosen:
+                line(axes, curve)
+            axes.set_title(title(column))
+            axes.set_xlabel(WHAT[study])
+            ticks(axes, chosen)
+    legend(figure, grid, curves)
+    album.save(figure, name)
 
 
 def line(axes: Any, curve: Curve) -> None:
@@ -47,8 +66,11 @@ def line(axes: Any, curve: Curve) -> None:
 
 
 def ticks(axes: Any, curves: Sequence[Curve]) -> None:
-    sizes = sorted({size for curve in curves for size in curve.sizes})[::-1]
-    axes.set_xticks([1 / size for size in sizes], [f"1/{size}" for size in sizes], fontsize=7)
+    kept: list[int] = []
+    for size in sorted({size for curve in curves for size in curve.sizes}):
+        if not kept or size >= APART * kept[-1]:
+            kept.append(size)
+    axes.set_xticks([1 / size for size in kept], [f"1/{size}" for size in kept], fontsize=7)
     axes.minorticks_off()
 
 

@@ -4,7 +4,7 @@ import csv
 from collections.abc import Sequence
 from pathlib import Path
 
-from manufactured_parts.study import SYMBOLS, TOLERANCE, Curve
+from manufactured_parts.study import L2_NORMS, SYMBOLS, TOLERANCE, Curve
 
 WHAT = {"space": "h", "time": "k"}
 
@@ -23,6 +23,28 @@ def row(curve: Curve) -> str:
     orders = " ".join(f"{order:6.3f}" for order in curve.orders)
     verdict = "ok" if curve.passes else f"FAILED: not within {TOLERANCE} of theory"
     return f"  {SYMBOLS[curve.norm]:<14} {errors}   orders {orders}   theory {curve.theory}  {verdict}"
+
+
+def summary(curves: Sequence[Curve]) -> str:
+    """A table in Markdown: a row for each cell and what is refined, a column a case; in it the least and the greatest
+    order in L2, then in the energy norms."""
+    cases = list(dict.fromkeys(curve.case for curve in curves))
+    rows = dict.fromkeys((curve.cell, refined(curve)) for curve in curves)
+    lines = [["cell", "refined", *cases], ["---"] * (2 + len(cases))]
+    for cell, what in rows:
+        own = [curve for curve in curves if (curve.cell, refined(curve)) == (cell, what)]
+        lines.append([cell, what, *(spread([c for c in own if c.case == case]) for case in cases)])
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def refined(curve: Curve) -> str:
+    return f"h, degree {curve.degree}" if curve.study == "space" else f"k, {curve.scheme}"
+
+
+def spread(curves: Sequence[Curve]) -> str:
+    groups = [[c for c in curves if (c.norm in L2_NORMS) == is_l2] for is_l2 in (True, False)]
+    orders = [[order for curve in group for order in curve.orders] for group in groups]
+    return "; ".join(f"{min(found):.2f} – {max(found):.2f}" for found in orders if found)
 
 
 def write_csv(path: Path, curves: Sequence[Curve]) -> None:

@@ -8,11 +8,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from manufactured_parts.cases import CASES
 from manufactured_parts.scenes import CELLS, Cell, Resolution, scene
 
-SCHEMES = {"backward-euler": 1}  # and the order in time that theory gives each, in every norm
-IN_SPACE_SCHEME, IN_SPACE_STEPS = "backward-euler", 8  # exact for the solutions of that study
-IN_TIME_CELLS, IN_TIME_STEPS = 4, (16, 32, 64, 128)
+SCHEMES = {
+    "backward-euler": 1
+}  # all choices of time.scheme, and the order that theory gives each, in every norm
+IN_SPACE_SCHEME = "backward-euler"  # exact for the solutions of that study
+IN_TIME_STEPS = (16, 32, 64, 128)
 TOLERANCE = 0.1  # of an order
 
 L2_NORMS = ("displacement", "velocity", "temperature")
@@ -38,7 +41,7 @@ class NoSolution(RunFailed):
 
 @dataclass(frozen=True)
 class Curve:
-    """One norm of the error, at resolutions that double."""
+    """One norm of the error, at growing resolution."""
 
     study: str
     case: str
@@ -64,6 +67,20 @@ class Curve:
         return all(abs(order - self.theory) <= TOLERANCE for order in self.orders)
 
 
+def check_schemes(driver: Path) -> None:
+    """Raises RunFailed if the table of orders does not name just the schemes that the schema offers."""
+    done = subprocess.run(
+        [str(driver), "schema", "--format", "json"], capture_output=True, text=True, check=False
+    )
+    if done.returncode != 0:
+        raise RunFailed(f"{driver} schema: {done.stderr.strip()}")
+    offered = next(entry["choices"] for entry in json.loads(done.stdout) if entry["key"] == "time.scheme")
+    if different := set(offered) ^ set(SCHEMES):
+        raise RunFailed(
+            f"time.scheme: {', '.join(sorted(different))}: in the schema or in the table of orders, not in both"
+        )
+
+
 class Driver:
     def __init__(self, program: Path) -> None:
         self.program = program
@@ -73,7 +90,7 @@ class Driver:
         with tempfile.TemporaryDirectory(prefix="manufactured-") as folder:
             path = Path(folder) / "scene.toml"
             path.write_text(scene(study, case, at), encoding="utf-8")
-            command = [str(self.program), str(path), f"in_{study}.{case}"]
+            command = [str(self.program), str(path), f"in_{study}", CASES[case].body, case]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             kind = NoSolution if done.returncode == NUMERICS_FAILED else RunFailed
@@ -85,10 +102,11 @@ class Driver:
         return found
 
 
-def in_space(driver: Driver, case: str, cell: Cell, degree: int) -> list[Curve]:
+def in_space(driver: Driver, case: str, cell: Cell, degree: int, schemes: Sequence[str]) -> list[Curve]:
+    """`schemes` matter only in time."""
     sizes = cell.sizes[degree]
     errors = [
-        driver.errors("space", case, Resolution(cell, degree, n, IN_SPACE_STEPS, IN_SPACE_SCHEME))
+        driver.errors("space", case, Resolution(cell, degree, n, cell.steps_in_space, IN_SPACE_SCHEME))
         for n in sizes
     ]
     return [
@@ -107,11 +125,11 @@ def in_space(driver: Driver, case: str, cell: Cell, degree: int) -> list[Curve]:
     ]
 
 
-def in_time(driver: Driver, case: str, cell: Cell, degree: int) -> list[Curve]:
+def in_time(driver: Driver, case: str, cell: Cell, degree: int, schemes: Sequence[str]) -> list[Curve]:
     curves = []
-    for scheme, order in SCHEMES.items():
+    for scheme in schemes:
         errors = [
-            driver.errors("time", case, Resolution(cell, degree, IN_TIME_CELLS, steps, scheme))
+            driver.errors("time", case, Resolution(cell, degree, cell.cells_in_time, steps, scheme))
             for steps in IN_TIME_STEPS
         ]
         curves += [
@@ -124,7 +142,7 @@ def in_time(driver: Driver, case: str, cell: Cell, degree: int) -> list[Curve]:
                 norm,
                 IN_TIME_STEPS,
                 [error[norm] for error in errors],
-                order,
+                SCHEMES[scheme],
             )
             for norm in errors[0]
         ]
@@ -135,7 +153,12 @@ STUDIES = {"space": in_space, "time": in_time}
 
 
 def all_curves(
-    driver: Driver, studies: Sequence[str], cases: Sequence[str], cells: Sequence[str], degrees: Sequence[int]
+    driver: Driver,
+    studies: Sequence[str],
+    cases: Sequence[str],
+    cells: Sequence[str],
+    degrees: Sequence[int],
+    schemes: Sequence[str],
 ) -> Iterator[list[Curve]]:
     """The curves of one series of runs after another."""
     for study in studies:
@@ -143,4 +166,4 @@ def all_curves(
             for cell in cells:
                 for degree in degrees:
                     if degree in CELLS[cell].sizes:
-                        yield STUDIES[study](driver, case, CELLS[cell], degree)
+                        yield STUDIES[study](driver, case, CELLS[cell], degree, schemes)

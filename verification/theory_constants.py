@@ -1,9 +1,10 @@
-"""Compare the constants that `thermocontact check` prints with those of dolfinx's matrices and SciPy's eigenvalues.
+"""Compare the numbers that `thermocontact check` prints with those of dolfinx's matrices and SciPy's eigenvalues.
 
     theory_constants.py SCENE.toml [--set KEY=VALUE]... [--driver PROGRAM]
 
-The constants are those of (2.12)-(2.15) on the scene's mesh. Exits 0 if all agree to the six digits printed, 1 if not,
-2 if the driver could not run.
+They are the constants of (2.12)-(2.15) on the scene's mesh, the quotients r_a and r_d that weigh the contact laws against
+the body's operators, and the bounds of densities and tensors over all regions. Exits 0 if all agree to the six digits
+printed, 1 if not, 2 if the driver could not run.
 """
 
 import argparse
@@ -21,12 +22,15 @@ from dolfinx import fem
 from dolfinx.fem import petsc as fem_petsc
 from mpi4py import MPI
 
+from oracle import Piece, apply_voigt, pieces_of, strain
 from oracle_parts.domain import Prescribed, Side, create_body
 from oracle_parts.portability import lagrange_space
-from oracle_parts.scene import Scene, read_scene
+from oracle_parts.scene import Contact, Scene, read_scene
 
 HERE = Path(__file__).resolve().parent
 PRINTED_DIGITS = 1e-5  # relative; six digits are printed
+CONSTANTS = ("s1", "s2", "c_k", "c_f", "r_a", "r_d")
+BOUNDS = ("rho", "c", "m_b", "M_b", "m_a", "M_a", "m_d", "M_d", "|M|", "|R|")
 
 
 class Space:
@@ -48,17 +52,67 @@ class Space:
 
     def largest(self, *measures: Any) -> float:
         """max ||v||^2 / |v|^2, the first norm in L2 of all measures together."""
-        numerator = sum(self.matrix(ufl.inner(self.trial, self.test) * measure) for measure in measures)
-        values = scipy.sparse.linalg.eigsh(numerator, k=1, M=self.gram, which="LA", return_eigenvectors=False)
-        return float(values[0])
+        return self.quotient([ufl.inner(self.trial, self.test) * measure for measure in measures])
+
+    def quotient(self, numerator: list[Any]) -> float:
+        """Of the sum of these forms; scaled to a matrix of order 1, for SciPy's tolerances."""
+        matrix = sum(self.matrix(form) for form in numerator)
+        scale = abs(matrix).max() / abs(self.gram).max()
+        values = scipy.sparse.linalg.eigsh(
+            matrix / scale, k=1, M=self.gram, which="LA", return_eigenvectors=False
+        )
+        return float(scale * values[0])
+
+
+def lipschitz(contact: Contact) -> float:
+    """L_nu + L_tau."""
+    assert contact.compliance
+    if contact.compliance.exponent != 1:
+        return np.inf
+    friction = contact.friction.coefficient if contact.friction else 0.0
+    return contact.compliance.stiffness * (1 + friction)
+
+
+def bounds(scene: Scene, pieces: list[Piece]) -> dict[str, float]:
+    """Of densities and tensors over all pieces: the least of ellipticity, the greatest of norms."""
+    found: dict[str, float] = {}
+
+    def note(name: str, values: Any, choose: Any) -> None:
+        found[name] = float(choose(values))
+
+    def eigenvalues(matrix: Any, shear_from: int) -> Any:
+        """Of a fourth-order tensor on symmetric ones: Voigt's form, its engineering shear scaled by sqrt(2) twice."""
+        scale = np.where(np.arange(len(matrix)) < shear_from, 1.0, np.sqrt(2.0))
+        return np.linalg.eigvalsh(scale[:, None] * matrix * scale)
+
+    if scene.material:
+        note("rho", [piece.material.density or 0.0 for piece in pieces], min)
+        for index, law in (("b", "viscosity"), ("a", "elasticity")):
+            tensors = [getattr(piece.material, law) for piece in pieces]
+            if tensors[0]:
+                spectra = [eigenvalues(tensor.voigt, scene.dimension) for tensor in tensors]
+                note(f"m_{index}", [spectrum[0] for spectrum in spectra], min)
+                note(f"M_{index}", [np.abs(spectrum).max() for spectrum in spectra], max)
+    if scene.heat:
+        note("c", [piece.heat.capacity or 0.0 for piece in pieces], min)
+        if scene.heat.conductivity is not None:
+            spectra = [np.linalg.eigvalsh(piece.heat.conductivity) for piece in pieces]
+            note("m_d", [spectrum[0] for spectrum in spectra], min)
+            note("M_d", [np.abs(spectrum).max() for spectrum in spectra], max)
+        for letter, law in (("M", "thermal_stress"), ("R", "strain_heating")):
+            if getattr(scene.heat, law) is not None:
+                note(f"|{letter}|", [np.linalg.norm(getattr(piece.heat, law)) for piece in pieces], max)
+    return found
 
 
 def expected(scene: Scene) -> dict[str, float]:
-    """The constants by name, of a body that is held."""
+    """The numbers by name, of a body that is held."""
     body = create_body(MPI.COMM_SELF, scene)
     mesh = body.mesh
+    one = fem.Constant(mesh, 1.0)
+    pieces = [piece for piece in pieces_of(body, scene) if fem.assemble_scalar(fem.form(one * piece.dx)) > 0]
+    found = bounds(scene, pieces)
     sides = {name: Side(body, name) for name in scene.boundaries}
-    found: dict[str, float] = {}
     if scene.material:
         space = lagrange_space(mesh, scene.degree, scene.dimension)
         prescribed = Prescribed(space, scene)
@@ -66,13 +120,13 @@ def expected(scene: Scene) -> dict[str, float]:
             for component, value in enumerate(boundary.displacement or []):
                 if value is not None:
                     prescribed.add(sides[name], component, value)
-        V = Space(
-            space, prescribed, lambda u, v: ufl.inner(ufl.sym(ufl.grad(u)), ufl.sym(ufl.grad(v))) * ufl.dx
-        )
+        V = Space(space, prescribed, lambda u, v: ufl.inner(strain(u), strain(v)) * ufl.dx)
         found["c_k"] = (1 + V.largest(ufl.dx)) ** -0.5
-        contact = [sides[name].ds() for name, law in scene.contacts.items() if law.compliance]
-        if contact:
-            found["s1"] = V.largest(*contact) ** 0.5
+        mechanical = {name: law for name, law in scene.contacts.items() if law.compliance}
+        if mechanical:
+            found["s1"] = V.largest(*(sides[name].ds() for name in mechanical)) ** 0.5
+            if found.get("m_a", 0.0) > 0:
+                found["r_a"] = against_elasticity(space, prescribed, pieces, mechanical, sides)
     if scene.heat:
         space = lagrange_space(mesh, scene.degree)
         prescribed = Prescribed(space, scene)
@@ -81,16 +135,71 @@ def expected(scene: Scene) -> dict[str, float]:
                 prescribed.add(sides[name], 0, boundary.temperature)
         Q = Space(space, prescribed, lambda u, v: ufl.inner(ufl.grad(u), ufl.grad(v)) * ufl.dx)
         found["c_f"] = Q.largest(ufl.dx) ** -0.5
-        contact = [sides[name].ds() for name, law in scene.contacts.items() if law.conductance]
-        if contact:
-            found["s2"] = Q.largest(*contact) ** 0.5
+        thermal = {name: law for name, law in scene.contacts.items() if law.conductance}
+        if thermal:
+            found["s2"] = Q.largest(*(sides[name].ds() for name in thermal)) ** 0.5
+            if found.get("m_d", 0.0) > 1e-14 * found.get("M_d", 0.0):
+                found["r_d"] = against_conduction(space, prescribed, pieces, thermal, sides)
     return found
 
 
+def against_elasticity(
+    space: Any,
+    prescribed: Prescribed,
+    pieces: list[Piece],
+    contacts: dict[str, Contact],
+    sides: dict[str, Side],
+) -> float:
+    """r_a: max of int (L_nu + L_tau) |v|^2 / (E eps(v), eps(v))."""
+    if not all(np.isfinite(lipschitz(law)) for law in contacts.values()):
+        return np.inf
+
+    def stored(u: Any, v: Any) -> Any:
+        tensors = [fem.Constant(space.mesh, piece.material.elasticity.voigt) for piece in pieces]
+        return sum(
+            ufl.inner(apply_voigt(tensor, strain(u)), strain(v)) * piece.dx
+            for tensor, piece in zip(tensors, pieces)
+        )
+
+    fields = Space(space, prescribed, stored)
+    weighted = [
+        lipschitz(law) * ufl.inner(fields.trial, fields.test) * sides[name].ds()
+        for name, law in contacts.items()
+    ]
+    return fields.quotient(weighted)
+
+
+def against_conduction(
+    space: Any,
+    prescribed: Prescribed,
+    pieces: list[Piece],
+    contacts: dict[str, Contact],
+    sides: dict[str, Side],
+) -> float:
+    """r_d: max of int k_c eta^2 / (K grad eta, grad eta)."""
+
+    def conducted(u: Any, v: Any) -> Any:
+        tensors = [fem.Constant(space.mesh, piece.heat.conductivity) for piece in pieces]
+        return sum(
+            ufl.inner(tensor * ufl.grad(u), ufl.grad(v)) * piece.dx for tensor, piece in zip(tensors, pieces)
+        )
+
+    fields = Space(space, prescribed, conducted)
+    weighted = [
+        law.conductance.coefficient * fields.trial * fields.test * sides[name].ds()
+        for name, law in contacts.items()
+    ]
+    return fields.quotient(weighted)
+
+
 def printed(text: str) -> dict[str, float]:
-    """The constants in the driver's answer."""
-    lines = re.findall(r"^  (s1|s2|c_k|c_f) *= (\S+)", text, flags=re.MULTILINE)
-    return {name: float(value) for name, value in lines}
+    """The numbers in the driver's answer; those of physics that is absent stand for none."""
+    names = "|".join(map(re.escape, CONSTANTS))
+    constants = re.findall(rf"^  ({names}) *= (\S+)", text, flags=re.MULTILINE)
+    names = "|".join(map(re.escape, BOUNDS))
+    hypotheses = text.partition("hypotheses of the theory")[2]
+    bounded = re.findall(rf"(?:: |, )({names}) = ([^\s,]+)", hypotheses)
+    return {name: float(value) for name, value in [*bounded, *constants]}
 
 
 def main() -> int:
@@ -113,7 +222,7 @@ def main() -> int:
     print(f"{'':5} {'driver':>14} {'dolfinx, SciPy':>18}")
     for name in sorted(found.keys() | wanted.keys()):
         here, there = found.get(name, float("nan")), wanted.get(name, float("nan"))
-        close = abs(here - there) <= PRINTED_DIGITS * abs(there)
+        close = here == there or abs(here - there) <= PRINTED_DIGITS * abs(there)
         agree = agree and close
         print(f"{name:5} {here:14.6g} {there:18.12g}{'' if close else '   differs'}")
     return 0 if agree else 1

@@ -35,6 +35,8 @@ void print_constants(const theory::Constants& constants) {
     line(constants.s2, "s2 ", "(2.15) |eta| on Gamma_C <= s2 |grad eta|, eta in Q");
     line(constants.c_k, "c_k", "(2.12) |eps(v)| >= c_k (|v|^2 + |eps(v)|^2)^(1/2), v in V");
     line(constants.c_f, "c_f", "(2.13) |grad eta| >= c_f |eta|, eta in Q");
+    line(constants.r_a, "r_a", "(L_nu + L_tau) |v|^2 on Gamma_C <= r_a (E eps(v), eps(v)), v in V");
+    line(constants.r_d, "r_d", "M_kc |eta|^2 on Gamma_C <= r_d (K grad eta, grad eta), eta in Q");
 }
 
 const char* word(theory::Verdict verdict) {
@@ -57,8 +59,8 @@ void print_conditions(const std::vector<theory::Condition>& conditions, int time
         std::cout << "  " << std::left << std::setw(6) << word(verdict) << std::setw(14) << label
                   << statement;
         const char* separator = ": ";
-        for (const auto& [name, value] : numbers) {
-            std::cout << std::exchange(separator, ", ") << name << " = " << short_text(value);
+        for (const auto& [name, value, where] : numbers) {
+            std::cout << std::exchange(separator, ", ") << name << " = " << short_text(value) << where;
         }
         std::cout << "\n";
     }
@@ -67,10 +69,11 @@ void print_conditions(const std::vector<theory::Condition>& conditions, int time
 void print_theory(const scene::Scene& scene) {
     const mesh::Mesh mesh = mesh::make_mesh(scene.mesh);
     const fem::Space space = fem::make_space(mesh, scene.degree);
-    const theory::Constants constants = theory::find_constants(scene, mesh, space);
-    const theory::Samples samples = theory::take_samples(scene, mesh, space);
+    const std::vector<theory::Piece> pieces = theory::pieces_of(scene, mesh);
+    const theory::Constants constants = theory::find_constants(scene, pieces, mesh, space);
+    const theory::Samples samples = theory::take_samples(scene, pieces, mesh, space);
     print_constants(constants);
-    print_conditions(theory::judge(scene, constants, samples), samples.times);
+    print_conditions(theory::judge(scene, pieces, constants, samples), samples.times);
 }
 
 }  // namespace

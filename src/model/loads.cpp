@@ -1,10 +1,10 @@
 #include "model/loads.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 #include "model/nodal.h"
+#include "model/pieces.h"
 
 namespace thermocontact::model {
 
@@ -52,12 +52,7 @@ Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fe
 
 /// The heat source of each region on its cells, and the scene's own on the others.
 void Loads::add_sources(const scene::Scene& scene) {
-    std::map<std::string, std::vector<std::int32_t>> cells;  // by region; "": those of the scene's own
-    for (std::int32_t cell = 0; !scene.regions.empty() && cell < mesh_->cell_count(); ++cell) {
-        const std::int32_t region = mesh_->cell_regions[static_cast<std::size_t>(cell)];
-        const std::string name = region < 0 ? "" : mesh_->region_names[static_cast<std::size_t>(region)];
-        cells[scene.regions.contains(name) ? name : ""].push_back(cell);
-    }
+    auto cells = cells_by_laws(scene, *mesh_);
     for (const auto& [name, region] : scene.regions) {
         if (region.heat && region.heat->source) {
             add("heat_source.load", "q0", {*region.heat->source}, cells[name]);

@@ -2,26 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/loads.h"
 #include "model/nodal.h"
 #include "model/physics.h"
 #include "theory/energy_space.h"
+#include "theory/law_bounds.h"
 #include "theory/rigid_motions.h"
 #include "theory/trace_matrix.h"
 
 namespace thermocontact::theory {
 namespace {
 
-/// The facets of all contact boundaries with that law.
-template <typename Law>
-std::vector<mesh::Facet> facets_with(const scene::Scene& scene, const mesh::Mesh& mesh,
-                                     std::optional<Law> scene::Contact::*law) {
-    std::vector<mesh::Facet> result;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Facets, and for each the number of its boundary's law.
+struct WeightedFacets {
+    std::vector<mesh::Facet> facets;
+    std::vector<double> weights;
+};
+
+/// Those of all contact boundaries with that law.
+template <typename Law, typename Weight>
+WeightedFacets facets_with(const scene::Scene& scene, const mesh::Mesh& mesh,
+                           std::optional<Law> scene::Contact::*law, Weight weight) {
+    WeightedFacets result;
     for (const auto& [name, boundary] : scene.boundaries) {
         if (boundary.contact && (*boundary.contact).*law) {
             const std::vector<mesh::Facet> facets = model::facets_of(mesh, name);
-            result.insert(result.end(), facets.begin(), facets.end());
+            result.facets.insert(result.facets.end(), facets.begin(), facets.end());
+            result.weights.resize(result.facets.size(), weight(bounds_of_laws(name, boundary)));
         }
     }
     return result;
@@ -44,9 +55,16 @@ struct Norms {
         const fem::BlockMatrix gram = of(name);
         return fields.largest_quotient([&](const auto& x, auto& y) { gram.multiply(x, y); });
     }
+    /// The body's operator of that name, each cell with its own material.
+    fem::BlockMatrix operator_of(const scene::Scene& scene, const std::string& name) const {
+        auto kernel = fem::find_kernel(name, mesh.cell, space.element.degree);
+        return fem::assemble_matrix(
+            fem::Form::by_region(std::move(kernel), mesh, model::body_constants(scene, mesh)), space, graph,
+            components, components);
+    }
     Eigenvalue largest_trace(const std::string& name, const std::vector<mesh::Facet>& facets,
-                             EnergySpace& fields) const {
-        const TraceMatrix trace(form(name), facets, space.dofmap, components);
+                             EnergySpace& fields, const std::vector<double>& weights = {}) const {
+        const TraceMatrix trace(form(name), facets, space.dofmap, components, weights);
         return fields.largest_quotient([&](const auto& x, auto& y) { trace.multiply(x, y); });
     }
 };
@@ -57,37 +75,62 @@ double noted(const Eigenvalue& found, Constants& constants) {
     return found.value;
 }
 
-void find_mechanical(const scene::Scene& scene, const Norms& norms, Constants& constants) {
+/// Weights of laws that are not Lipschitz are infinite, and then so is their quotient.
+double weighted_quotient(const Norms& norms, const std::string& trace, const WeightedFacets& laws,
+                         EnergySpace fields, Constants& constants) {
+    if (std::ranges::count(laws.weights, infinity) > 0) {
+        return infinity;
+    }
+    return noted(norms.largest_trace(trace, laws.facets, fields, laws.weights), constants);
+}
+
+void find_mechanical(const scene::Scene& scene, const std::vector<Piece>& pieces, const Norms& norms,
+                     Constants& constants) {
     const auto prescribed = model::Prescribed::displacement(scene, norms.mesh, norms.space);
-    EnergySpace V(norms.of("strains"), prescribed.fixed(),
-                  held_rigidly(norms.space, prescribed.fixed(), scene.dimension));
+    const bool held = held_rigidly(norms.space, prescribed.fixed(), scene.dimension);
+    EnergySpace V(norms.of("strains"), prescribed.fixed(), held);
     constants.c_k = 1 / std::sqrt(1 + noted(norms.largest("velocity", V), constants));
     if (model::has_compliance(scene)) {
-        const auto facets = facets_with(scene, norms.mesh, &scene::Contact::compliance);
-        constants.s1 = std::sqrt(noted(norms.largest_trace("velocity_trace", facets, V), constants));
+        const auto laws = facets_with(scene, norms.mesh, &scene::Contact::compliance,
+                                      [](const LawBounds& bounds) { return bounds.L_nu + bounds.L_tau; });
+        constants.s1 = std::sqrt(noted(norms.largest_trace("velocity_trace", laws.facets, V), constants));
+        if (elasticity_elliptic(pieces, scene.dimension)) {
+            EnergySpace stored(norms.operator_of(scene, "elasticity.stiffness"), prescribed.fixed(), held);
+            constants.r_a = weighted_quotient(norms, "velocity_trace", laws, std::move(stored), constants);
+        }
     }
 }
 
-void find_thermal(const scene::Scene& scene, const Norms& norms, Constants& constants) {
+void find_thermal(const scene::Scene& scene, const std::vector<Piece>& pieces, const Norms& norms,
+                  Constants& constants) {
     const auto prescribed = model::Prescribed::temperature(scene, norms.mesh, norms.space);
-    EnergySpace Q(norms.of("gradients"), prescribed.fixed(), !prescribed.dofs().empty());
+    const bool held = !prescribed.dofs().empty();
+    EnergySpace Q(norms.of("gradients"), prescribed.fixed(), held);
     constants.c_f = 1 / std::sqrt(noted(norms.largest("temperature", Q), constants));
     if (model::has_conductance(scene)) {
-        const auto facets = facets_with(scene, norms.mesh, &scene::Contact::conductance);
-        constants.s2 = std::sqrt(noted(norms.largest_trace("temperature_trace", facets, Q), constants));
+        const auto laws = facets_with(scene, norms.mesh, &scene::Contact::conductance,
+                                      [](const LawBounds& bounds) { return bounds.M_kc; });
+        constants.s2 = std::sqrt(noted(norms.largest_trace("temperature_trace", laws.facets, Q), constants));
+        if (conductivity_elliptic(pieces)) {
+            EnergySpace conducted(norms.operator_of(scene, "conduction.conduction"), prescribed.fixed(),
+                                  held);
+            constants.r_d =
+                weighted_quotient(norms, "temperature_trace", laws, std::move(conducted), constants);
+        }
     }
 }
 
 }  // namespace
 
-Constants find_constants(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+Constants find_constants(const scene::Scene& scene, const std::vector<Piece>& pieces, const mesh::Mesh& mesh,
+                         const fem::Space& space) {
     const fem::NodeGraph graph = fem::make_node_graph(space);
     Constants constants;
     if (scene.material) {
-        find_mechanical(scene, {mesh, space, graph, scene.dimension}, constants);
+        find_mechanical(scene, pieces, {mesh, space, graph, scene.dimension}, constants);
     }
     if (scene.heat) {
-        find_thermal(scene, {mesh, space, graph, 1}, constants);
+        find_thermal(scene, pieces, {mesh, space, graph, 1}, constants);
     }
     return constants;
 }

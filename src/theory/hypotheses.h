@@ -7,6 +7,7 @@
 
 #include "scene/scene.h"
 #include "theory/constants.h"
+#include "theory/pieces.h"
 #include "theory/samples.h"
 
 namespace thermocontact::theory {
@@ -16,6 +17,7 @@ enum class Verdict { holds, fails, not_applicable };
 struct Number {
     std::string name;
     double value;
+    std::string where = {};  ///< " in bush": the region that decides
 };
 
 struct Condition {
@@ -25,7 +27,8 @@ struct Condition {
     std::vector<Number> numbers;  ///< that decide; of an inequality its left side, then its right side
 };
 
-/// In the order of the paper.
-std::vector<Condition> judge(const scene::Scene& scene, const Constants& constants, const Samples& samples);
+/// In the order of the paper. With several materials each bound is that of the worst.
+std::vector<Condition> judge(const scene::Scene& scene, const std::vector<Piece>& pieces,
+                             const Constants& constants, const Samples& samples);
 
 }  // namespace thermocontact::theory

@@ -60,6 +60,18 @@ class Sampler {
     std::vector<double> times_;
 };
 
+Nodes nodes_of(const fem::Space& space, const std::vector<std::int32_t>& cells) {
+    Nodes nodes;
+    for (const std::int32_t cell : cells) {
+        const auto of_cell = space.dofmap.of(cell);
+        nodes.insert(nodes.end(), of_cell.begin(), of_cell.end());
+    }
+    std::ranges::sort(nodes);
+    const auto repeated = std::ranges::unique(nodes);
+    nodes.erase(repeated.begin(), repeated.end());
+    return nodes;
+}
+
 void sample_clamp(const scene::Scene& scene, const scene::Boundary& boundary, const Nodes& nodes,
                   const Sampler& sampler, Samples& samples) {
     for (std::size_t c = 0; c < boundary.displacement.size(); ++c) {
@@ -94,13 +106,16 @@ void sample_boundary(const scene::Boundary& boundary, const Nodes& nodes, const 
 
 }  // namespace
 
-Samples take_samples(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+Samples take_samples(const scene::Scene& scene, const std::vector<Piece>& pieces, const mesh::Mesh& mesh,
+                     const fem::Space& space) {
     const Sampler sampler(scene, space);
     Samples samples;
     samples.times = sampler.times();
     sampler.take(scene.body_force, sampler.everywhere(), samples.body_force);
-    if (scene.heat && scene.heat->source) {
-        sampler.take(*scene.heat->source, sampler.everywhere(), samples.heat_source);
+    for (const Piece& piece : pieces) {
+        if (piece.heat && piece.heat->source) {
+            sampler.take(*piece.heat->source, nodes_of(space, piece.cells), samples.heat_source);
+        }
     }
     for (const auto& [name, boundary] : scene.boundaries) {
         const auto index = std::ranges::find(mesh.boundary_names, name) - mesh.boundary_names.begin();

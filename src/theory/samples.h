@@ -8,6 +8,7 @@
 
 #include "fem/space.h"
 #include "scene/scene.h"
+#include "theory/pieces.h"
 
 namespace thermocontact::theory {
 
@@ -35,6 +36,7 @@ struct Samples {
     Range initial_on_clamp;        ///< u0 and u0' where the displacement is prescribed, m and m/s
 };
 
-Samples take_samples(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space);
+Samples take_samples(const scene::Scene& scene, const std::vector<Piece>& pieces, const mesh::Mesh& mesh,
+                     const fem::Space& space);
 
 }  // namespace thermocontact::theory

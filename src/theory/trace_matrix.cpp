@@ -5,7 +5,7 @@
 namespace thermocontact::theory {
 
 TraceMatrix::TraceMatrix(fem::Form form, const std::vector<mesh::Facet>& facets, const fem::Dofmap& dofmap,
-                         int components)
+                         int components, const std::vector<double>& factors)
     : dofs_per_cell_(static_cast<std::size_t>(dofmap.nodes_per_cell * components)) {
     const std::size_t size = dofs_per_cell_ * dofs_per_cell_;
     const auto block = static_cast<std::size_t>(components);
@@ -16,7 +16,11 @@ TraceMatrix::TraceMatrix(fem::Form form, const std::vector<mesh::Facet>& facets,
                 dofs_.push_back(static_cast<std::size_t>(node) * block + c);
             }
         }
-        form.add_facet(facets[f], {tensors_.data() + f * size, size});
+        const std::span<double> tensor(tensors_.data() + f * size, size);
+        form.add_facet(facets[f], tensor);
+        for (double& entry : tensor) {
+            entry *= factors.empty() ? 1.0 : factors[f];
+        }
     }
 }
 

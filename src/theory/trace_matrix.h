@@ -9,9 +9,10 @@ namespace thermocontact::theory {
 
 class TraceMatrix {
   public:
-    /// Evaluates the bilinear form on `facets`; the fields have `components` at each node.
+    /// Evaluates the bilinear form on `facets`, times the factor of each [facets]; none: 1. The fields have
+    /// `components` at each node.
     TraceMatrix(fem::Form form, const std::vector<mesh::Facet>& facets, const fem::Dofmap& dofmap,
-                int components);
+                int components, const std::vector<double>& factors = {});
 
     /// y = A x; y has its size already.
     void multiply(const std::vector<double>& x, std::vector<double>& y) const;

@@ -8,8 +8,10 @@
 #include <numbers>
 
 #include "model/nodal.h"
+#include "model/physics.h"
 #include "support/dense.h"
 #include "support/scenes.h"
+#include "theory/law_bounds.h"
 #include "theory/rigid_motions.h"
 #include "theory/trace_matrix.h"
 
@@ -25,7 +27,7 @@ using support::Discretisation;
 using support::Overrides;
 
 Constants constants_of(const Discretisation& at) {
-    return find_constants(at.scene, at.mesh, at.space);
+    return find_constants(at.scene, pieces_of(at.scene, at.mesh), at.mesh, at.space);
 }
 
 std::string cells(int x, int y) {
@@ -108,7 +110,7 @@ TEST(Constants, BarThatShears) {
 /// The paper's square: sin(pi x) sinh(pi (1 - y)) has s2^2 = tanh(pi)/pi; c_f^2 = pi^2 + (pi/2)^2. Nested
 /// spaces bring all constants nearer to those of V and Q, from one side.
 TEST(Constants, OfThePaperUnderRefinement) {
-    Constants previous{infinity, infinity, 0.0, 0.0, 0};
+    Constants previous{infinity, infinity, 0.0, 0.0, {}, {}, 0};
     double s2_error = 0, c_f_error = 0;
     for (const int n : {4, 8, 16, 32}) {
         const Constants found =
@@ -168,19 +170,26 @@ double dense_quotient(const Eigen::MatrixXd& B, const Eigen::MatrixXd& A, const 
 /// All four against dense eigenvalues, with partly prescribed nodes, two contact sides, degree 2, crossed
 /// cells.
 TEST(Constants, AgreeWithDenseEigenvalues) {
-    const Discretisation at(support::repository_scene("anisotropic", {cells(3, 4)}));
+    const Discretisation at(support::repository_scene(
+        "anisotropic", {cells(3, 4), "boundary.bottom.contact.compliance.exponent=1.0"}));
     const auto form = [&](const std::string& name) {
         return fem::Form(fem::find_kernel("norms." + name, "triangle", 2), at.mesh, {});
     };
     const auto gram = [&](const std::string& name, int components) {
         return support::dense(fem::assemble_matrix(form(name), at.space, at.graph, components, components));
     };
-    const auto trace = [&](const std::string& name, int components) {
+    const auto weight = [](const LawBounds& laws, int components) {
+        return components == 1 ? laws.M_kc : laws.L_nu + laws.L_tau;
+    };
+    const auto trace = [&](const std::string& name, int components, bool weighted = false) {
         std::vector<mesh::Facet> facets;
+        std::vector<double> factors;
         for (const auto& surface : at.surfaces) {
             facets.insert(facets.end(), surface->facets.begin(), surface->facets.end());
+            const LawBounds laws = bounds_of_laws(surface->name, at.scene.boundaries.at(surface->name));
+            factors.resize(facets.size(), weighted ? weight(laws, components) : 1.0);
         }
-        const TraceMatrix matrix(form(name), facets, at.space.dofmap, components);
+        const TraceMatrix matrix(form(name), facets, at.space.dofmap, components, factors);
         const auto size = static_cast<Eigen::Index>(at.node_count()) * components;
         Eigen::MatrixXd result(size, size);
         std::vector<double> unit(static_cast<std::size_t>(size), 0.0), product(unit.size());
@@ -201,6 +210,17 @@ TEST(Constants, AgreeWithDenseEigenvalues) {
     const Eigen::MatrixXd korn = gram("velocity", 2) + strains;
     EXPECT_NEAR(*found.c_k, 1 / std::sqrt(dense_quotient(korn, strains, V)), accuracy);
     EXPECT_NEAR(*found.c_f, 1 / std::sqrt(dense_quotient(gram("temperature", 1), gradients, Q)), accuracy);
+
+    const auto of_body = [&](const std::string& name, int components) {
+        const fem::Form body(fem::find_kernel(name, "triangle", 2), at.mesh, model::body_constants(at.scene));
+        return support::dense(fem::assemble_matrix(body, at.space, at.graph, components, components));
+    };
+    const double r_a =
+        dense_quotient(trace("velocity_trace", 2, true), of_body("elasticity.stiffness", 2), V);
+    const double r_d =
+        dense_quotient(trace("temperature_trace", 1, true), of_body("conduction.conduction", 1), Q);
+    EXPECT_NEAR(*found.r_a / r_a, 1, accuracy);
+    EXPECT_NEAR(*found.r_d / r_d, 1, accuracy);
 }
 
 /// A slender beam, clamped at one end only: badly conditioned, and still found.

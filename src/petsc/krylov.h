@@ -3,9 +3,12 @@
 /// multigrid hierarchy is used again for as long as its iterations stay near those of a new one.
 #pragma once
 
+#include <optional>
+
 #include "parallel/part.h"
 #include "petsc/objects.h"
 #include "petsc/shared_vectors.h"
+#include "petsc/tangent.h"
 #include "solve/step_problem.h"
 
 namespace thermocontact::petsc {
@@ -30,8 +33,7 @@ class KrylovProblem final : public solve::StepProblem {
     void update_tangent(solve::NonlinearTerm& F);
     bool solve_linear(double tolerance);
     double round_off(Vec x);
-    PetscInt global_index(std::size_t dof) const;
-    PetscInt owned_index(std::size_t dof) const;  ///< -1: another process owns it
+    void renew_hierarchy();
     void free_only(std::vector<double>& local) const;
     void make_solver();
 
@@ -43,15 +45,15 @@ class KrylovProblem final : public solve::StepProblem {
     solve::NewtonOptions options_;
     bool symmetric_;
     std::vector<std::int32_t> contact_dofs_;
-    std::vector<PetscInt> owned_fixed_;  ///< among the owned
-    bool has_contact_;                   ///< on any process
+    bool has_contact_;  ///< on any process
     SharedVectors vectors_;
-    Matrix tangent_;  ///< A + dF/dx; A's values are stored beside
+    Tangent tangent_;
     Solver solver_;
     Vector x_, rhs_, linear_, nonlinear_, residual_, update_, candidate_;
     std::vector<double> local_x_, local_;
     Eigen::VectorXd contact_x_, contact_F_;
-    int fresh_iterations_ = -1;  ///< of the last solve with a new hierarchy; -1: none yet
+    bool has_hierarchy_ = false;
+    std::optional<double> fresh_rate_;  ///< iterations a digit with a new hierarchy; empty: time for one
 };
 
 class NewtonKrylov final : public solve::Strategy {

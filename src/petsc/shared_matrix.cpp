@@ -47,10 +47,8 @@ Couplings count(const fem::NodeGraph& graph, const parallel::NodeNumbers& number
 
 }  // namespace
 
-Matrix assemble(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
-                const parallel::NodeNumbers& numbers) {
-    const fem::NodeGraph& graph = *matrix.graph;
-    const PetscInt size = matrix.rows;
+Matrix preallocate(const fem::NodeGraph& graph, int block_size, const parallel::NodeNumbers& numbers) {
+    const PetscInt size = block_size;
     Couplings couplings = count(graph, numbers);
     const auto owned = static_cast<PetscInt>(couplings.own.size());
     for (PetscInt& bound : couplings.own) {
@@ -67,7 +65,13 @@ Matrix assemble(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
     check(MatXAIJSetPreallocation(result, size, couplings.own.data(), couplings.other.data(), nullptr,
                                   nullptr));
     check(MatSetOption(result, MAT_SPD, PETSC_TRUE));
-    const auto width = static_cast<std::size_t>(size);
+    return result;
+}
+
+void add_values(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
+                const parallel::NodeNumbers& numbers, Mat result) {
+    const fem::NodeGraph& graph = *matrix.graph;
+    const auto width = static_cast<std::size_t>(matrix.rows);
     std::vector<double> block(width * width), transposed(width * width);
     for (std::size_t i = 0; i < numbers.global.size(); ++i) {
         for (auto p = graph.offsets[i]; p < graph.offsets[i + 1]; ++p) {
@@ -88,9 +92,6 @@ Matrix assemble(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
             }
         }
     }
-    check(MatAssemblyBegin(result, MAT_FINAL_ASSEMBLY));
-    check(MatAssemblyEnd(result, MAT_FINAL_ASSEMBLY));
-    return result;
 }
 
 }  // namespace thermocontact::petsc

@@ -3,7 +3,8 @@
 #include "petsc/check.h"
 
 namespace thermocontact::petsc {
-SharedVectors::SharedVectors(const parallel::NodeNumbers& numbers, int components) : components_(components) {
+SharedVectors::SharedVectors(const parallel::NodeNumbers& numbers, int components)
+    : numbers_(&numbers), components_(components) {
     begin_ = numbers.begin() * components;
     owned_ = numbers.end() * components - begin_;
     check(VecCreateMPI(PETSC_COMM_WORLD, owned_, PETSC_DETERMINE, shape_.put()));
@@ -20,6 +21,16 @@ Vector SharedVectors::make() const {
     check(VecDuplicate(shape_, result.put()));
     check(VecZeroEntries(result));
     return result;
+}
+
+PetscInt SharedVectors::global_index(std::size_t dof) const {
+    const auto b = static_cast<std::size_t>(components_);
+    return numbers_->global[dof / b] * components_ + static_cast<PetscInt>(dof % b);
+}
+
+PetscInt SharedVectors::owned_index(std::size_t dof) const {
+    const PetscInt index = global_index(dof) - begin_;
+    return index >= 0 && index < owned_ ? index : -1;
 }
 
 void SharedVectors::add_up(const std::vector<double>& local, Vec shared) {

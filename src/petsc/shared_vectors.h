@@ -10,6 +10,7 @@ namespace thermocontact::petsc {
 
 class SharedVectors {
   public:
+    /// Keeps a reference to `numbers`.
     SharedVectors(const parallel::NodeNumbers& numbers, int components);
 
     /// A shared vector, zero.
@@ -22,10 +23,16 @@ class SharedVectors {
     void take(Vec shared, std::vector<double>& local);
 
     int components() const { return components_; }
+
+    /// The place of a dof of the part among all, and among the owned (-1: another process owns it).
+    PetscInt global_index(std::size_t dof) const;
+    PetscInt owned_index(std::size_t dof) const;
+
     PetscInt owned() const { return owned_; }  ///< entries of this process
     PetscInt begin() const { return begin_; }  ///< the first of them
 
   private:
+    const parallel::NodeNumbers* numbers_;
     int components_;
     PetscInt owned_, begin_;
     Vector shape_;  ///< a shared vector to duplicate

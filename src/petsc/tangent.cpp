@@ -1,0 +1,161 @@
+#include "petsc/tangent.h"
+
+#include "petsc/check.h"
+#include "petsc/shared_matrix.h"
+
+namespace thermocontact::petsc {
+
+Tangent::Tangent(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
+                 const parallel::NodeNumbers& numbers, SharedVectors& vectors)
+    : matrix_(&matrix),
+      fixed_(&fixed),
+      numbers_(&numbers),
+      vectors_(&vectors),
+      local_x_(fixed.size()),
+      local_y_(fixed.size()) {
+    const auto b = static_cast<std::size_t>(matrix.rows);
+    std::vector<double>& diagonal = local_y_;
+    for (std::size_t dof = 0; dof < fixed.size(); ++dof) {
+        const std::size_t node = dof / b, component = dof % b;
+        const auto block = static_cast<std::size_t>(matrix.graph->offsets[node]);
+        diagonal[dof] = matrix.values[(block * b + component) * b + component];
+        if (fixed[dof] != 0) {
+            fixed_dofs_.push_back(static_cast<std::int32_t>(dof));
+            if (const PetscInt index = vectors.owned_index(dof); index >= 0) {
+                owned_fixed_.push_back(index);
+            }
+        }
+    }
+    const Vector shared = vectors.make();
+    vectors.add_up(diagonal, shared);
+    const double* values = nullptr;
+    check(VecGetArrayRead(shared, &values));
+    for (const PetscInt index : owned_fixed_) {
+        fixed_diagonal_.push_back(values[index]);
+    }
+    check(VecRestoreArrayRead(shared, &values));
+    const PetscInt owned = vectors.owned();
+    check(
+        MatCreateShell(PETSC_COMM_WORLD, owned, owned, PETSC_DETERMINE, PETSC_DETERMINE, this, shell_.put()));
+    check(MatSetBlockSize(shell_, matrix.rows));
+    check(MatShellSetOperation(shell_, MATOP_MULT, reinterpret_cast<void (*)()>(&Tangent::multiply)));
+}
+
+PetscErrorCode Tangent::multiply(Mat shell, Vec x, Vec y) {
+    Tangent* self = nullptr;
+    if (const PetscErrorCode code = MatShellGetContext(shell, &self); code != 0) {
+        return code;
+    }
+    try {
+        self->apply(x, y);
+    } catch (const SystemError&) {  // not through PETSc's frames
+        return PETSC_ERR_LIB;
+    }
+    return 0;
+}
+
+void Tangent::zero_fixed(Vec shared) const {
+    double* values = nullptr;
+    check(VecGetArray(shared, &values));
+    for (const PetscInt index : owned_fixed_) {
+        values[index] = 0.0;
+    }
+    check(VecRestoreArray(shared, &values));
+}
+
+void Tangent::zero_fixed(std::vector<double>& values) const {
+    for (const std::int32_t dof : fixed_dofs_) {
+        values[static_cast<std::size_t>(dof)] = 0.0;
+    }
+}
+
+void Tangent::multiply_constant(const std::vector<double>& x, Vec y) {
+    matrix_->multiply(x, local_y_);
+    zero_fixed(local_y_);
+    vectors_->add_up(local_y_, y);
+}
+
+void Tangent::apply(Vec x, Vec y) {
+    vectors_->take(x, local_x_);
+    zero_fixed(local_x_);
+    matrix_->multiply(local_x_, local_y_);
+    add_derivative(local_x_, local_y_);
+    zero_fixed(local_y_);
+    vectors_->add_up(local_y_, y);
+    const double* given = nullptr;
+    double* result = nullptr;
+    check(VecGetArrayRead(x, &given));
+    check(VecGetArray(y, &result));
+    for (std::size_t i = 0; i < owned_fixed_.size(); ++i) {
+        result[owned_fixed_[i]] = fixed_diagonal_[i] * given[owned_fixed_[i]];
+    }
+    check(VecRestoreArray(y, &result));
+    check(VecRestoreArrayRead(x, &given));
+}
+
+void Tangent::add_derivative(const std::vector<double>& x, std::vector<double>& y) const {
+    const std::int32_t* dofs = piece_dofs_.data();
+    const double* values = piece_values_.data();
+    for (const std::int32_t n : piece_sizes_) {
+        for (std::int32_t i = 0; i < n; ++i, values += n) {
+            double sum = 0;
+            for (std::int32_t j = 0; j < n; ++j) {
+                sum += values[j] * x[static_cast<std::size_t>(dofs[j])];
+            }
+            y[static_cast<std::size_t>(dofs[i])] += sum;
+        }
+        dofs += n;
+    }
+}
+
+void Tangent::drop_derivative() {
+    piece_sizes_.clear();
+    piece_dofs_.clear();
+    piece_values_.clear();
+}
+
+void Tangent::set_derivative(solve::NonlinearTerm& F, const Eigen::VectorXd& x,
+                             const std::vector<std::int32_t>& dofs) {
+    drop_derivative();
+    F.visit_derivative(x, [&](std::span<const std::int32_t> unknowns, std::span<const double> values) {
+        const std::size_t before = piece_dofs_.size();
+        for (std::size_t i = 0; i < unknowns.size(); ++i) {
+            if (unknowns[i] < 0) {
+                continue;
+            }
+            piece_dofs_.push_back(dofs[static_cast<std::size_t>(unknowns[i])]);
+            for (std::size_t j = 0; j < unknowns.size(); ++j) {
+                if (unknowns[j] >= 0) {
+                    piece_values_.push_back(values[i * unknowns.size() + j]);
+                }
+            }
+        }
+        piece_sizes_.push_back(static_cast<std::int32_t>(piece_dofs_.size() - before));
+    });
+}
+
+Mat Tangent::assemble() {
+    if (assembled_.get() == nullptr) {
+        assembled_ = preallocate(*matrix_->graph, matrix_->rows, *numbers_);
+    } else {
+        check(MatZeroEntries(assembled_));
+    }
+    add_values(*matrix_, *fixed_, *numbers_, assembled_);
+    const std::int32_t* dofs = piece_dofs_.data();
+    const double* values = piece_values_.data();
+    std::vector<PetscInt> rows;
+    for (const std::int32_t n : piece_sizes_) {
+        rows.clear();
+        for (std::int32_t i = 0; i < n; ++i) {
+            rows.push_back(vectors_->global_index(static_cast<std::size_t>(dofs[i])));
+        }
+        check(MatSetValues(assembled_, n, rows.data(), n, rows.data(), values, ADD_VALUES));
+        dofs += n;
+        values += std::ptrdiff_t{n} * n;
+    }
+    check(MatAssemblyBegin(assembled_, MAT_FINAL_ASSEMBLY));
+    check(MatAssemblyEnd(assembled_, MAT_FINAL_ASSEMBLY));
+    return assembled_;
+}
+
+}  // namespace thermocontact::petsc

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/exit_code.h"
+#include "app/process_age.h"
 #include "error.h"
 #include "output/files.h"
 #include "output/progress.h"
@@ -24,11 +25,17 @@ void catch_signal(int signal) {
 
 /// Marches until the end or a signal; returns the signal, or 0.
 int march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress,
-             output::Seconds& seconds) {
+             output::Seconds& seconds, const parallel::Backend* backend) {
     int signal = 0;
     while (!simulation.finished() && signal == 0) {
-        timed(seconds.steps, [&] { simulation.advance(); });
-        timed(seconds.output, [&] { progress.step(simulation, results.add_step()); });
+        timed(seconds.steps, [&] {
+            const parallel::Phase phase(backend, "steps");
+            simulation.advance();
+        });
+        timed(seconds.output, [&] {
+            const parallel::Phase phase(backend, "output");
+            progress.step(simulation, results.add_step());
+        });
         signal = static_cast<int>(simulation.team().max(caught_signal));  // not all catch it in the same step
     }
     return signal;
@@ -54,7 +61,8 @@ std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const std:
 }  // namespace
 
 int run(const RunCommand& command, const parallel::Backend* backend) {
-    const Stopwatch total;
+    const double start = process_age();
+    const Stopwatch since_start;
     const scene::Scene scene = scene::read_scene(command.scene, command.overrides);
     if (backend == nullptr && scene.solver.strategy == "newton-krylov") {
         parallel::continue_with_petsc();
@@ -64,7 +72,8 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
     const auto simulation = prepare(scene, command.output, backend);
     output::Seconds seconds;
     seconds.factor = simulation->factor_seconds();
-    seconds.setup = total.seconds() - seconds.factor;
+    seconds.start = start;
+    seconds.setup = since_start.seconds() - seconds.factor;
     progress.header(*simulation);
 
     std::signal(SIGINT, catch_signal);
@@ -73,12 +82,12 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
         timed(seconds.output, [&] { return output::Results(command.output, scene, *simulation); });
     const auto finish = [&](const std::string& status, const std::string& reason) {
         timed(seconds.output, [&] { results.add_fields(); });
-        seconds.total = total.seconds();
+        seconds.total = start + since_start.seconds();
         results.finish(status, reason, seconds);
     };
     int signal = 0;
     try {
-        signal = march_on(*simulation, results, progress, seconds);
+        signal = march_on(*simulation, results, progress, seconds, backend);
     } catch (const NumericsError& error) {
         finish("failed", error.what());
         throw;

@@ -16,6 +16,7 @@ namespace {
 parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend) {
     const parallel::Alone alone;
     const parallel::Team& team = backend != nullptr ? backend->team() : alone;
+    const parallel::Phase phase(backend, "mesh");
     mesh::Mesh mesh = mesh::make_mesh(scene.mesh);
     fem::Space space = fem::make_space(mesh, scene.degree);
     return parallel::take_part(std::move(mesh), std::move(space), team.size(), team.rank());
@@ -44,6 +45,7 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
       graph_(fem::make_node_graph(part_.space)),
       strategy_(choose(scene, graph_, part_, backend)),
       surfaces_(model::make_contact_surfaces(scene, part_.mesh, part_.space)) {
+    const parallel::Phase phase(backend, "assembly");
     initialise();
     const double k = scene.time.end / scene.time.steps;
     if (scene.material) {

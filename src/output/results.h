@@ -11,8 +11,9 @@
 
 namespace thermocontact::output {
 
-/// Seconds of the phases of a run.
+/// Seconds of the phases of a run. They add up to the total, which counts from the start of the process.
 struct Seconds {
+    double start = 0;  ///< before the scene is read: loading the program, MPI and PETSc
     double setup = 0, factor = 0, steps = 0, output = 0, total = 0;
 };
 

@@ -80,7 +80,8 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     result["audit"] = {
         {"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
     const march::StepSeconds parts = simulation.step_seconds();
-    result["seconds"] = {{"setup", seconds.setup},
+    result["seconds"] = {{"start", seconds.start},
+                         {"setup", seconds.setup},
                          {"factor", seconds.factor},
                          {"steps", seconds.steps},
                          {"output", seconds.output},
@@ -90,7 +91,7 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                            {"newton", parts.newton},
                            {"audit", parts.audit},
                            {"other", seconds.steps - parts.triangular_solves - parts.newton - parts.audit}}}};
-    result["peak_memory_mib"] = peak_memory_mib();
+    result["peak_memory_mib"] = simulation.team().sum(peak_memory_mib());  // of all processes
     return result;
 }
 

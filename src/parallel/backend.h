@@ -19,8 +19,32 @@ class Backend {
     /// Ends all processes at once: an error that the others do not know of.
     [[noreturn]] virtual void abort(int code) const = 0;
 
+    /// For Phase.
+    virtual void enter_phase(const char* name) const = 0;
+    virtual void leave_phase() const = 0;
+
     /// Strategy "newton-krylov" on this process's part, which must outlive it.
     virtual std::unique_ptr<solve::Strategy> newton_krylov(const Part& part) const = 0;
+};
+
+/// A stage of PETSc's log (-log_view) while it lives; nothing where there is no PETSc. Stages may nest.
+class Phase {
+  public:
+    Phase(const Backend* backend, const char* name) : backend_(backend) {
+        if (backend_ != nullptr) {
+            backend_->enter_phase(name);
+        }
+    }
+    ~Phase() {
+        if (backend_ != nullptr) {
+            backend_->leave_phase();
+        }
+    }
+    Phase(const Phase&) = delete;
+    Phase& operator=(const Phase&) = delete;
+
+  private:
+    const Backend* backend_;
 };
 
 /// Whether this process speaks for all: without a backend it is alone.

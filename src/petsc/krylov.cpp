@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "petsc/check.h"
+#include "petsc/events.h"
 #include "solve/line_search.h"
 
 namespace thermocontact::petsc {
@@ -126,6 +127,7 @@ KrylovProblem::Residual KrylovProblem::residual(solve::NonlinearTerm& F, Vec x) 
         for (Eigen::Index i = 0; i < contact_x_.size(); ++i) {
             contact_x_[i] = local_x_[static_cast<std::size_t>(contact_dofs_[static_cast<std::size_t>(i)])];
         }
+        const Timed timed(Events::all().contact);
         F.evaluate(contact_x_, contact_F_);
         std::ranges::fill(local_, 0.0);
         for (Eigen::Index i = 0; i < contact_F_.size(); ++i) {
@@ -141,6 +143,7 @@ KrylovProblem::Residual KrylovProblem::residual(solve::NonlinearTerm& F, Vec x) 
 
 void KrylovProblem::update_tangent(solve::NonlinearTerm& F) {
     if (has_contact_) {
+        const Timed timed(Events::all().contact);
         tangent_.set_derivative(F, contact_x_, contact_dofs_);
     }
 }
@@ -148,6 +151,7 @@ void KrylovProblem::update_tangent(solve::NonlinearTerm& F) {
 /// A new hierarchy for the tangent there is. Its finest level multiplies by the tangent, and the
 /// prolongations stay those of the first hierarchy.
 void KrylovProblem::renew_hierarchy() {
+    const Timed timed(Events::all().hierarchy);
     const Mat assembled = tangent_.assemble();
     if (!has_hierarchy_) {
         set_near_null_space(assembled, *part_, vectors_);
@@ -160,6 +164,7 @@ void KrylovProblem::renew_hierarchy() {
 }
 
 bool KrylovProblem::solve_linear(double tolerance) {
+    const Timed timed(Events::all().linear);
     const auto attempt = [&](PetscInt& iterations) {
         check(KSPSolve(solver_, residual_, update_));
         tangent_.zero_fixed(update_);  // multigrid moves prescribed unknowns by what its tolerance allows

@@ -1,6 +1,7 @@
 #include "petsc/tangent.h"
 
 #include "petsc/check.h"
+#include "petsc/events.h"
 #include "petsc/shared_matrix.h"
 
 namespace thermocontact::petsc {
@@ -70,15 +71,18 @@ void Tangent::zero_fixed(std::vector<double>& values) const {
 }
 
 void Tangent::multiply_constant(const std::vector<double>& x, Vec y) {
+    const Timed timed(Events::all().product);
     matrix_->multiply(x, local_y_);
     zero_fixed(local_y_);
     vectors_->add_up(local_y_, y);
 }
 
 void Tangent::apply(Vec x, Vec y) {
+    const Timed timed(Events::all().product);
     vectors_->take(x, local_x_);
     zero_fixed(local_x_);
     matrix_->multiply(local_x_, local_y_);
+    check(PetscLogFlops(4.0 * static_cast<double>(matrix_->values.size())));  // each entry serves twice
     add_derivative(local_x_, local_y_);
     zero_fixed(local_y_);
     vectors_->add_up(local_y_, y);
@@ -135,6 +139,7 @@ void Tangent::set_derivative(solve::NonlinearTerm& F, const Eigen::VectorXd& x,
 }
 
 Mat Tangent::assemble() {
+    const Timed timed(Events::all().assembly);
     if (assembled_.get() == nullptr) {
         assembled_ = preallocate(*matrix_->graph, matrix_->rows, *numbers_);
     } else {

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import oracle_results
+
 HERE = Path(__file__).resolve().parent.parent
 Job = tuple[Path, Path]  # scene file, output directory
 
@@ -36,14 +38,35 @@ class Driver:
 
 def oracle(jobs: Sequence[Job], folder: Path, workers: int) -> None:
     """Every job, dealt out to that many processes at a time."""
-    lists = [list(jobs[number::workers]) for number in range(workers)]
+    new = _new(jobs, 1)
+    lists = [new[number::workers] for number in range(workers)]
     commands = [_command(part, folder / f"jobs-{number}.json") for number, part in enumerate(lists) if part]
     with ThreadPoolExecutor(max_workers=workers) as pool:
         list(pool.map(_start, commands))
+    _keep(new, 1)
 
 
 def oracle_on_ranks(jobs: Sequence[Job], folder: Path, ranks: int) -> None:
-    _start(["mpirun", "-n", str(ranks), *_command(jobs, folder / f"jobs-ranks-{ranks}.json")])
+    if new := _new(jobs, ranks):
+        _start(["mpirun", "-n", str(ranks), *_command(new, folder / f"jobs-ranks-{ranks}.json")])
+        _keep(new, ranks)
+
+
+def _new(jobs: Sequence[Job], ranks: int) -> list[Job]:
+    """Those whose results are not kept from an earlier run; the others' are fetched."""
+    new = []
+    for scene, directory in jobs:
+        if oracle_results.fetch(scene, directory, ranks=ranks):
+            code_file(directory).write_text("0", encoding="ascii")
+        else:
+            new.append((scene, directory))
+    return new
+
+
+def _keep(jobs: Sequence[Job], ranks: int) -> None:
+    for scene, directory in jobs:
+        if not oracle_failure(directory):
+            oracle_results.keep(scene, directory, ranks=ranks)
 
 
 def _command(jobs: Sequence[Job], file: Path) -> list[str]:
@@ -58,6 +81,11 @@ def _start(command: Sequence[str]) -> None:
 
 def oracle_failure(directory: Path) -> str:
     """Empty, or what went wrong."""
-    file = directory.with_name(directory.name + ".code")
+    file = code_file(directory)
     code = file.read_text(encoding="ascii") if file.exists() else "none"
     return "" if code == "0" else f"oracle: exit {code}"
+
+
+def code_file(directory: Path) -> Path:
+    """Where worker.py says how the oracle ended."""
+    return directory.with_name(directory.name + ".code")

@@ -16,10 +16,7 @@ from pathlib import Path
 from mpi4py import MPI
 
 import oracle
-
-
-def code_file(directory: Path) -> Path:
-    return directory.with_name(directory.name + ".code")
+from matrix_parts.runs import code_file
 
 
 def solve(scene: str, directory: Path) -> int:

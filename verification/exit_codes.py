@@ -1,0 +1,201 @@
+"""Exit codes of the program and what it leaves behind, as the interface promises them.
+
+    python3 verification/exit_codes.py [--driver PROGRAM]
+
+| exit | meaning | what must be seen |
+| --- | --- | --- |
+| 0 | completed | results; a summary that says so |
+| 1 | the system failed | one line on stderr; the results of an earlier run are as they were |
+| 2 | scene or command line wrong | the file, key or word at fault; nothing written |
+| 3 | the numerics failed | step and equation; every completed step on disk, no number that is not finite |
+
+How signals end a run is not asked here. Exits 0 if all is as promised, 1 if not.
+"""
+
+import argparse
+import json
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from oracle_parts import vtu
+
+ROOT = Path(__file__).resolve().parents[1]
+SCENE = ROOT / "scenes" / "paper-isotropic.toml"
+SMALL = ("--quiet", "--set", "mesh.cells=[4,4]", "--set", "time.steps=4")
+COMPLETED, SYSTEM_FAILED, BAD_INPUT, NUMERICS_FAILED = 0, 1, 2, 3
+
+# A load that is not finite from the third of four steps on, and a body that nothing holds
+BREAKS = ("--set", 'load.body_force=["0", "t < 0.6 ? -1 : 1/(t - t)"]')
+LOOSE = """mesh.cells = [2, 2]
+time = {end = 1.0, steps = 2}
+material.elasticity = {young = 2.0, poisson = 0.1}
+load.body_force = [0.0, -1.0]
+"""
+
+
+def small_files() -> None:
+    """Write errors as on a full disk: no file of the child grows beyond 2 KiB."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2048, 2048))
+
+
+class ExitCodes(unittest.TestCase):
+    driver = ROOT / "build" / "thermocontact"
+
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.results = self.folder / "results"
+
+    def call(
+        self, code: int, *words: str | Path, before: Callable[[], None] | None = None
+    ) -> "subprocess.CompletedProcess[str]":
+        """Run the program in the empty folder; its exit code must be that."""
+        command = [str(word) for word in (self.driver, *words)]
+        done = subprocess.run(
+            command, capture_output=True, text=True, cwd=self.folder, preexec_fn=before, check=False
+        )
+        self.assertEqual(done.returncode, code, f"{' '.join(command)}\n{done.stdout}{done.stderr}")
+        return done
+
+    def run_small(self, code: int, *words: str, before: Callable[[], None] | None = None) -> str:
+        """The message of a small run of the scene into self.results."""
+        command = ("run", SCENE, *SMALL, "--output", self.results, *words)
+        return self.call(code, *command, before=before).stderr
+
+    def summary(self) -> dict[str, object]:
+        found: dict[str, object] = json.loads((self.results / "summary.json").read_text(encoding="utf-8"))
+        return found
+
+    def assert_says(self, message: str, *words: str) -> None:
+        """One line that begins with the program's name and holds these words."""
+        self.assertRegex(message, r"\Athermocontact: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, message)
+
+    def test_completed(self) -> None:
+        self.assertEqual(self.run_small(COMPLETED), "", "--quiet prints errors only")
+        self.assertEqual(self.summary()["status"], "completed")
+        self.assertEqual(self.summary()["steps"], 4)
+        self.call(COMPLETED, "check", SCENE, "--set", "mesh.cells=[4,4]")
+        for words in (("schema",), ("--version",), ("--help",)):
+            self.assertNotEqual(self.call(COMPLETED, *words).stdout, "")
+
+    def test_where_results_go(self) -> None:
+        self.call(COMPLETED, "run", SCENE, *SMALL)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["paper-isotropic-results"])
+
+    def test_wrong_scene(self) -> None:
+        text = SCENE.read_text(encoding="utf-8").replace("friction", "fricton")
+        wrong = self.folder / "wrong.toml"
+        wrong.write_text(text, encoding="utf-8")
+        line = next(number for number, row in enumerate(text.splitlines(), 1) if "fricton" in row)
+        for command in (("run", wrong, "--output", self.results), ("check", wrong)):
+            message = self.call(BAD_INPUT, *command).stderr
+            self.assert_says(message, f"wrong.toml:{line}: ", "fricton", 'did you mean "friction"?')
+        self.assertFalse(self.results.exists())
+
+    def test_wrong_value(self) -> None:
+        self.assert_says(self.run_small(BAD_INPUT, "--set", "material.density=0"), "material.density", "> 0")
+        self.assertFalse(self.results.exists())
+
+    def test_no_scene(self) -> None:
+        message = self.call(BAD_INPUT, "run", "absent.toml", "--output", self.results).stderr
+        self.assert_says(message, "absent.toml")
+        self.assertFalse(self.results.exists())
+
+    def test_wrong_command_line(self) -> None:
+        for words, told in (
+            ((), "run"),
+            (("rum", str(SCENE)), 'did you mean "run"?'),
+            (("run",), "no scene file"),
+            (("run", str(SCENE), "--outptu", "x"), 'did you mean "--output"?'),
+            (("run", str(SCENE), "--set", "mesh.cells"), "KEY=VALUE"),
+            (("schema", "--format", "xml"), "markdown"),
+        ):
+            with self.subTest(words=words):
+                self.assert_says(self.call(BAD_INPUT, *words).stderr, told)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_folder_that_cannot_be_made(self) -> None:
+        self.results.write_text("a file", encoding="utf-8")
+        command = ("run", SCENE, *SMALL, "--output", self.results / "below")
+        self.assert_says(self.call(SYSTEM_FAILED, *command).stderr, "output folder", "below")
+        self.assertEqual(self.results.read_text(encoding="utf-8"), "a file")
+
+    def test_folder_is_met_before_the_work(self) -> None:
+        """A system that cannot be factored (exit 3) is not found where the folder cannot be made (exit 1)."""
+        (self.folder / "loose.toml").write_text(LOOSE, encoding="utf-8")
+        self.results.write_text("a file", encoding="utf-8")
+        command = ("run", "loose.toml", "--quiet", "--output", self.results)
+        self.assert_says(self.call(SYSTEM_FAILED, *command).stderr, "output folder")
+
+    def test_full_disk(self) -> None:
+        message = self.run_small(SYSTEM_FAILED, before=small_files)
+        self.assert_says(message, "cannot write", str(self.results))
+        self.assertFalse((self.results / "summary.json").exists(), "says that a run completed")
+        self.assertEqual(list(self.results.rglob("*.part")), [])
+
+    def test_numerics_failed_in_a_step(self) -> None:
+        message = self.run_small(NUMERICS_FAILED, *BREAKS)
+        self.assert_says(message, "step 3", "t = 0.75", "finite")
+        summary = self.summary()
+        self.assertEqual((summary["status"], summary["steps"]), ("failed", 2))
+        self.assertIn("step 3", str(summary["reason"]))
+        times = {entry.time for entry in vtu.read_collection(self.results / "fields.pvd")}
+        self.assertEqual(times, {0.0, 0.25, 0.5})
+        for file in self.results.glob("fields/*.vtu"):
+            grid = vtu.read_grid(file)
+            for values in (*grid.point_data.values(), *grid.cell_data.values()):
+                self.assertTrue(np.isfinite(values).all(), file)
+        history = np.genfromtxt(self.results / "history.csv", delimiter=",", names=True)
+        self.assertEqual(list(history["step"]), [1, 2])
+        self.assertTrue(all(np.isfinite(history[name]).all() for name in history.dtype.names or ()))
+
+    def test_newton_failed(self) -> None:
+        words = ("--set", "solver.max_iterations=1", "--set", "boundary.bottom.contact.compliance.exponent=2")
+        message = self.run_small(NUMERICS_FAILED, *words)
+        self.assert_says(
+            message, "step 1", "momentum balance", "Newton", "time.steps", "solver.max_iterations"
+        )
+        self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("failed", 0))
+
+    def test_singular_system(self) -> None:
+        """It also takes away what an earlier run left, which would stand beside the word `failed`."""
+        (self.folder / "loose.toml").write_text(LOOSE, encoding="utf-8")
+        self.run_small(COMPLETED)
+        command = ("run", "loose.toml", "--quiet", "--output", self.results)
+        self.assert_says(self.call(NUMERICS_FAILED, *command).stderr, "momentum balance", "singular")
+        self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("failed", 0))
+        self.assertFalse((self.results / "history.csv").exists())
+        self.assertEqual(list(self.results.glob("fields/*.vtu")), [])
+
+    def test_fewer_steps_leave_no_older_fields(self) -> None:
+        self.run_small(COMPLETED)
+        self.run_small(COMPLETED, "--set", "time.steps=2")
+        steps = {file.stem.split("_")[-1] for file in self.results.glob("fields/*.vtu")}
+        self.assertEqual(steps, {"000000", "000001", "000002"})
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--driver", type=Path, default=ExitCodes.driver)
+    options, rest = parser.parse_known_args()
+    ExitCodes.driver = options.driver.resolve()
+    result = unittest.main(argv=[sys.argv[0], *rest], exit=False).result
+    return 0 if result.wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,110 @@
+"""Every mutation in turn: which test notices it first."""
+
+import csv
+import textwrap
+import time
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+
+from .mutation import Mutation
+from .suite import Suite
+from .workspace import Workspace
+
+SURVIVED, NOT_COMPILED = "nothing", "not compiled"
+CPP, CPP_TARGET = "cpp", "thermocontact_tests"  # the test that comes first, and what it needs
+
+# Tests that look at a room and are asked before the others
+FIRST = {
+    "theory": ("theory.",),
+    "parallel": ("ranks", "mpirun", "parallel"),
+    "petsc": ("ranks", "mpirun", "parallel"),
+    "app": ("exit_codes",),
+}
+
+
+@dataclass(frozen=True)
+class Verdict:
+    mutation: str
+    digest: str
+    room: str
+    file: str
+    kind: str
+    noticed_by: str  # a test of ctest, or one of the two words above
+    seconds: int
+    how: str
+
+    @property
+    def noticed(self) -> bool:
+        return self.noticed_by not in (SURVIVED, NOT_COMPILED)
+
+
+def judge(mutation: Mutation, workspace: Workspace, suite: Suite) -> Verdict:
+    """Make the change, build, and ask one test after another until one fails."""
+    start = time.monotonic()
+    with workspace.mutated(mutation):
+        by, how = first_to_notice(mutation, workspace, suite)
+    seconds = round(time.monotonic() - start)
+    file = mutation.file
+    return Verdict(mutation.name, mutation.digest, mutation.room, file, mutation.kind, by, seconds, how)
+
+
+def first_to_notice(mutation: Mutation, workspace: Workspace, suite: Suite) -> tuple[str, str]:
+    # the C++ tests need but one of the programs: most mutations go no further
+    for targets, names in (
+        ((CPP_TARGET,), [CPP]),
+        ((), [name for name in suite.order(FIRST.get(mutation.room, ())) if name != CPP]),
+    ):
+        problem = workspace.make(*targets)
+        if problem:
+            return NOT_COMPILED, problem
+        for name in names:
+            outcome = suite.run(name)
+            if not outcome.passed:
+                return name, outcome.how
+    return SURVIVED, mutation.equivalent
+
+
+def problem(verdict: Verdict, mutation: Mutation) -> str:
+    """Empty, or why this verdict makes the whole run fail."""
+    if verdict.noticed_by == NOT_COMPILED:
+        return "does not compile; replace it by one that does"
+    if verdict.noticed_by == SURVIVED and not mutation.equivalent:
+        return "no test notices it"
+    if verdict.noticed and mutation.equivalent:
+        return "is noticed, though it is explained as equivalent"
+    return ""
+
+
+COLUMNS = [field.name for field in fields(Verdict)]
+
+
+def read(path: Path) -> dict[tuple[str, str], Verdict]:
+    """Verdicts of an earlier run by name and digest."""
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = [Verdict(**{**row, "seconds": int(row["seconds"])}) for row in csv.DictReader(file)]
+    return {(row.mutation, row.digest): row for row in rows}
+
+
+def write(path: Path, verdicts: Iterable[Verdict]) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        table.writeheader()
+        table.writerows(map(asdict, verdicts))
+
+
+def line(verdict: Verdict) -> str:
+    how = textwrap.shorten(verdict.how, 90)
+    place = f"{verdict.room}: {verdict.mutation}"
+    return f"{place:<40} {verdict.kind:<8} {verdict.noticed_by:<28} {verdict.seconds:>4} s  {how}"
+
+
+def by_room(verdicts: Sequence[Verdict]) -> str:
+    """A table in Markdown: how many mutations a room has, and what noticed them."""
+    rows = ["| room | mutations | noticed by |", "| --- | --- | --- |"]
+    for room in dict.fromkeys(verdict.room for verdict in verdicts):
+        counts = Counter(verdict.noticed_by for verdict in verdicts if verdict.room == room)
+        told = ", ".join(f"{name} {count}" for name, count in counts.most_common())
+        rows.append(f"| `{room}` | {sum(counts.values())} | {told} |")
+    return "\n".join(rows)

@@ -1,0 +1,19 @@
+"""All mutations, room by room."""
+
+from . import app, fem, forms, march, mesh, model, output, parallel, scene, solve, theory
+from .mutation import Mutation
+
+MUTATIONS: tuple[Mutation, ...] = (
+    *forms.SIGNS,
+    *forms.OTHERS,
+    *scene.MUTATIONS,
+    *mesh.MUTATIONS,
+    *fem.MUTATIONS,
+    *model.MUTATIONS,
+    *solve.MUTATIONS,
+    *march.MUTATIONS,
+    *output.MUTATIONS,
+    *theory.MUTATIONS,
+    *parallel.MUTATIONS,
+    *app.MUTATIONS,
+)

@@ -1,5 +1,6 @@
 """Errors against resolution on logarithmic axes, each beside a line of the slope that theory gives it."""
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -76,13 +77,16 @@ def ticks(axes: Any, curves: Sequence[Curve]) -> None:
 
 def legend(figure: Any, grid: Any, curves: Sequence[Curve]) -> None:
     """One for all panels, below them."""
-    axes = grid[0][0]
+    axes, shown = grid[0][0], {curve.norm for curve in curves}
     handles = [
         axes.plot([], [], label=SYMBOLS[norm].replace("theta", "θ"), **look)[0]
         for norm, look in LOOKS.items()
+        if norm in shown
     ]
     for degree in sorted({curve.degree for curve in curves}):
         handles += axes.plot([], [], color="black", linestyle=DASHES[degree], label=f"degree {degree}")
     handles += axes.plot([], [], label="slope of theory", **THEORY)
-    figure.get_layout_engine().set(rect=(0, 0.05, 1, 0.95))
-    figure.legend(handles=handles, loc="lower center", ncol=len(handles), fontsize=8)
+    columns = min(len(handles), 2 * len(grid[0]))
+    height = 0.05 * math.ceil(len(handles) / columns)
+    figure.get_layout_engine().set(rect=(0, height, 1, 1 - height))
+    figure.legend(handles=handles, loc="lower center", ncol=columns, fontsize=8)

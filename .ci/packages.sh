@@ -2,7 +2,7 @@
 # Installs what thermocontact needs from Debian's packages; does nothing when all of it is there.
 set -eu
 
-packages="g++ cmake ninja-build pkg-config
+packages="g++ clang libclang-rt-dev cmake ninja-build pkg-config
     libbasix-dev libcli11-dev libeigen3-dev libgmsh-dev libmetis-dev libmuparser-dev libopenblas-pthread-dev
     libopenblas0-pthread libopenmpi-dev petsc-dev
     libspectra-dev libsuitesparse-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev

@@ -224,8 +224,8 @@ void Reader::read_facets(const FacetMap& facets) {
     }
     const auto place = [](const Facet& f) { return std::tuple(f.boundary, f.cell, f.local); };
     std::ranges::sort(mesh_.facets, {}, place);
-    const auto repeated = std::ranges::unique(mesh_.facets, {}, place);
-    mesh_.facets.erase(repeated.begin(), repeated.end());
+    const auto same = [&](const Facet& a, const Facet& b) { return place(a) == place(b); };
+    mesh_.facets.erase(std::unique(mesh_.facets.begin(), mesh_.facets.end(), same), mesh_.facets.end());
 }
 
 Mesh Reader::read() {

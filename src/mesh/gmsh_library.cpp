@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "error.h"
+#include "mesh/child.h"
+#include "mesh/gmsh_bytes.h"
 
 namespace thermocontact::mesh {
 namespace {
@@ -181,7 +183,11 @@ GmshContents Session::read(const std::filesystem::path& path) {
 }  // namespace
 
 GmshContents read_with_gmsh(const std::filesystem::path& path) {
-    return Session().read(path);
+    // Gmsh's reader crashes on many a damaged file; what a mesh needs is bounded by the size of its file
+    constexpr std::uint64_t mebibyte = 1 << 20;
+    const std::uint64_t size = std::filesystem::file_size(path);
+    const ChildLimits limits{512 * mebibyte + 200 * size, 30 + 10 * size / mebibyte};
+    return from_bytes(run_in_child([&] { return to_bytes(Session().read(path)); }, limits));
 }
 
 }  // namespace thermocontact::mesh

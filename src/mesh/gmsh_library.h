@@ -33,8 +33,8 @@ struct GmshContents {
     std::vector<GmshElements> elements;
 };
 
-/// Throws SystemError without the library, std::runtime_error with Gmsh's words where it cannot read the
-/// file.
+/// Read by a process of its own. Throws SystemError without the library, std::runtime_error with Gmsh's words
+/// where it cannot read the file, or how it ended.
 GmshContents read_with_gmsh(const std::filesystem::path& path);
 
 }  // namespace thermocontact::mesh

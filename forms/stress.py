@@ -17,7 +17,14 @@ e, de = voigt(strain(u)), voigt(strain(w))
 sigma = dot(E, e) + dot(Visc, de)
 if dim == 2:
     zz = dot(E_zz, e) + dot(Visc_zz, de) - theta * M_zz
-    components = (sigma[0] - theta * M[0, 0], sigma[1] - theta * M[1, 1], zz, sigma[2] - theta * M[0, 1], 0, 0)
+    components = (
+        sigma[0] - theta * M[0, 0],
+        sigma[1] - theta * M[1, 1],
+        zz,
+        sigma[2] - theta * M[0, 1],
+        0,
+        0,
+    )
 else:
     normal = tuple(sigma[i] - theta * M[i, i] for i in range(3))
     components = normal + (sigma[5] - theta * M[0, 1], sigma[3] - theta * M[1, 2], sigma[4] - theta * M[0, 2])

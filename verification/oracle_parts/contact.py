@@ -39,7 +39,7 @@ def quadrature_metadata(rule: int | str, degree: int, facet: str) -> dict[str, A
     if rule != "vertex":
         return {"quadrature_degree": rule}
     ends = [(0.0, 1 / 2), (1.0, 1 / 2)] if degree == 1 else [(0.0, 1 / 6), (0.5, 4 / 6), (1.0, 1 / 6)]
-    pairs = [((s,), weight) for s, weight in ends]
+    pairs: list[tuple[tuple[float, ...], float]] = [((s,), weight) for s, weight in ends]
     if facet == "quadrilateral":
         pairs = [((s, t), a * b) for s, a in ends for t, b in ends]
     if facet == "triangle":
@@ -67,7 +67,7 @@ class ContactSide:
     ) -> None:
         self.name, self.index, self.contact, mesh = side.name, index, contact, side.mesh
         self.mesh, self.displacement_space, self.scalar_space = mesh, displacement_space, scalar_space
-        self.facet = {1: "interval", 2: FACETS_IN_SPACE.get(mesh.topology.cell_type)}[side.dimension]
+        self.facet = "interval" if side.dimension == 1 else FACETS_IN_SPACE[mesh.topology.cell_type]
         self.ds = side.ds(quadrature_metadata(contact.quadrature, scene.degree, self.facet))
         self.normal = ufl.FacetNormal(mesh)
         self.gap = Nodal(scalar_space, scene, [contact.gap], side)

@@ -69,7 +69,7 @@ def full_rule(mesh: Any, degree: int) -> dict[str, Any]:
 
 def _create_shape(comm: Any, shape: Shape | None) -> Any:
     assert shape is not None
-    corners = [np.array(shape.lower), np.array(shape.upper)]
+    corners: list[Any] = [np.array(shape.lower), np.array(shape.upper)]
     types, dimension = dmesh.CellType, len(shape.cells)
     simplex, tensor = {2: (types.triangle, types.quadrilateral), 3: (types.tetrahedron, types.hexahedron)}[
         dimension

@@ -38,10 +38,8 @@ def mesh_of_gmsh(model: Any, comm: Any, dimension: int) -> tuple[Any, Any, Any]:
 
     none = dmesh.GhostMode.none
     if "partitioner" in inspect.signature(gmshio.model_to_mesh).parameters:
-        partitioner = dmesh.create_cell_partitioner(none)
-        mesh, cells, facets = gmshio.model_to_mesh(model, comm, 0, gdim=dimension, partitioner=partitioner)[
-            :3
-        ]
+        options: dict[str, Any] = {"gdim": dimension, "partitioner": dmesh.create_cell_partitioner(none)}
+        mesh, cells, facets = gmshio.model_to_mesh(model, comm, 0, **options)[:3]
         return mesh, cells, facets
     create = gmshio.create_mesh  # 0.5 leaves no choice of the ghosts
     gmshio.create_mesh = functools.partial(create, ghost_mode=none)

@@ -48,7 +48,7 @@ def summary(
             final[name] = value
     return {
         "status": status,
-        "version": f"oracle, dolfinx {dolfinx.__version__}",  # type: ignore[attr-defined]
+        "version": f"oracle, dolfinx {dolfinx.__version__}",
         "scene": scene.resolved,
         "physics": physics(scene),
         "mesh": {

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-LINE, TRIANGLE = 3, 5
+LINE, TRIANGLE, QUADRATIC_TRIANGLE = 3, 5, 22
 # VTK's type of the cell, and the place of VTK's nodes among Basix's, by kind of cell and number of nodes
 VTK_CELLS: dict[tuple[str, int], tuple[int, list[int]]] = {
     ("interval", 2): (3, [0, 1]),

@@ -1,9 +1,29 @@
 """The sections in the order of the page. A new one is a module with a SECTION, and a line here."""
 
-from report_parts import agreement, audits, constants, error_curve, known_answers, matrix, orders
+from report_parts import (
+    agreement,
+    audits,
+    constants,
+    error_curve,
+    extremes,
+    invariance,
+    known_answers,
+    matrix,
+    orders,
+)
 from report_parts.section import Section
 
 SECTIONS: dict[str, Section] = {
     module.SECTION.name: module.SECTION
-    for module in (agreement, matrix, orders, known_answers, audits, constants, error_curve)
+    for module in (
+        agreement,
+        matrix,
+        orders,
+        known_answers,
+        audits,
+        constants,
+        invariance,
+        extremes,
+        error_curve,
+    )
 }

@@ -13,7 +13,17 @@ import unittest
 from pathlib import Path
 
 import report
-from report_parts import agreement, audits, constants, error_curve, known_answers, matrix, orders
+from report_parts import (
+    agreement,
+    audits,
+    constants,
+    error_curve,
+    extremes,
+    invariance,
+    known_answers,
+    matrix,
+    orders,
+)
 from report_parts.html import markdown_rows, picture, table
 from report_parts.kept import Workshop, shown
 from report_parts.page import Answer, page
@@ -153,6 +163,23 @@ class VerdictTest(unittest.TestCase):
         for residual, passes in (("1e-12", True), ("1e-8", False), ("NaN", False)):
             (self.folder / "x" / "summary.json").write_text(summary % residual)
             self.assertEqual(audits.read(self.folder, [kept("")]).passes, passes)
+
+    def test_invariance(self) -> None:
+        rows = "box: mirrored 1.0e-14 in velocity\n{}box: turned       {} in temperature\n"
+        good = kept(rows.format("", "2.0e-14") + "\nall 2 agree to 1e-10")
+        bad = kept(rows.format("FAILED ", "inf") + "\n1 of 2 differ", 1)
+        self.assertTrue(invariance.read(self.folder, [good]).passes)
+        self.assertIn("of 2 2.0e-14 (box: turned)", invariance.read(self.folder, [good]).worst)
+        self.assertFalse(invariance.read(self.folder, [bad]).passes)
+
+    def test_extremes(self) -> None:
+        head = "group,case,outcome,second opinion,why\n"
+        (self.folder / "cases.csv").write_text(head + "alone,a,completed,same,\nalone,b,bad,,not finite\n")
+        self.assertTrue(extremes.read(self.folder, [kept("", 0)]).passes)
+        found = extremes.read(self.folder, [kept("", 1)])
+        self.assertFalse(found.passes)
+        self.assertIn("1 ended badly", found.worst)
+        self.assertIn("not finite", found.blocks[-1])
 
     def test_error_curve(self) -> None:
         head = "scene,variant,mode,reference,h,error,order,relative_error\n"

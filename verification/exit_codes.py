@@ -22,6 +22,7 @@ import tempfile
 import unittest
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -69,7 +70,7 @@ class ExitCodes(unittest.TestCase):
 
     def run_small(self, code: int, *words: str, before: Callable[[], None] | None = None) -> str:
         """The message of a small run of the scene into self.results."""
-        command = ("run", SCENE, *SMALL, "--output", self.results, *words)
+        command: list[str | Path] = ["run", SCENE, *SMALL, "--output", self.results, *words]
         return self.call(code, *command, before=before).stderr
 
     def summary(self) -> dict[str, object]:
@@ -99,7 +100,8 @@ class ExitCodes(unittest.TestCase):
         wrong = self.folder / "wrong.toml"
         wrong.write_text(text, encoding="utf-8")
         line = next(number for number, row in enumerate(text.splitlines(), 1) if "fricton" in row)
-        for command in (("run", wrong, "--output", self.results), ("check", wrong)):
+        commands: list[list[str | Path]] = [["run", wrong, "--output", self.results], ["check", wrong]]
+        for command in commands:
             message = self.call(BAD_INPUT, *command).stderr
             self.assert_says(message, f"wrong.toml:{line}: ", "fricton", 'did you mean "friction"?')
         self.assertFalse(self.results.exists())
@@ -157,7 +159,7 @@ class ExitCodes(unittest.TestCase):
             grid = vtu.read_grid(file)
             for values in (*grid.point_data.values(), *grid.cell_data.values()):
                 self.assertTrue(np.isfinite(values).all(), file)
-        history = np.genfromtxt(self.results / "history.csv", delimiter=",", names=True)
+        history: Any = np.genfromtxt(self.results / "history.csv", delimiter=",", names=True)
         self.assertEqual(list(history["step"]), [1, 2])
         self.assertTrue(all(np.isfinite(history[name]).all() for name in history.dtype.names or ()))
 

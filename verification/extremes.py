@@ -38,7 +38,11 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--only", default="", metavar="TEXT", help="cases whose group or name has this text")
     parser.add_argument("--small", action="store_true", help="a small picture, no PDF")
     parser.add_argument(
-        "--second-opinion", type=float, default=0.1, metavar="SHARE", help="of the completed cases (default 0.1)"
+        "--second-opinion",
+        type=float,
+        default=0.1,
+        metavar="SHARE",
+        help="of the completed cases (default 0.1)",
     )
     return parser.parse_args()
 

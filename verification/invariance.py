@@ -157,7 +157,9 @@ def main() -> int:
         return 0
     with tempfile.TemporaryDirectory(prefix="invariance-") as folder:
         failures = check(driver, Path(folder), chosen)
-    print(f"\n{failures} of {len(chosen)} differ" if failures else f"\nall {len(chosen)} agree to {TOLERANCE}")
+    print(
+        f"\n{failures} of {len(chosen)} differ" if failures else f"\nall {len(chosen)} agree to {TOLERANCE}"
+    )
     return 1 if failures else 0
 
 

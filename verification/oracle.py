@@ -69,8 +69,8 @@ class Piece:
     """Cells with one set of laws: a region, or the rest of the body."""
 
     dx: Any
-    material: Material | None
-    heat: Heat | None
+    material: Any  # Material where the scene has one, Heat likewise
+    heat: Any
 
 
 def pieces_of(body: Body, scene: Scene) -> list[Piece]:
@@ -113,7 +113,7 @@ class Problem:
     def constant(self, value: Any) -> Any:
         return fem.Constant(self.mesh, np.asarray(value, dtype=np.float64))
 
-    def sum(self, integrand: Callable[[Callable[[Any], Any], Any], Any]) -> Any:
+    def sum(self, integrand: Callable[[Callable[[Any], Any], Piece], Any]) -> Any:
         """The integral over the body of what `integrand` makes, piece by piece, of `constant` and the piece."""
         return sum(integrand(self.constant, piece) * piece.dx for piece in self.pieces)
 

@@ -53,7 +53,12 @@ class Judge:
         """The oracle's result of the small scene, computed once."""
         results = self.work / f"oracle-{scene}"
         if not results.exists():
-            program = [sys.executable, ROOT / "verification/oracle.py", scene_file(scene), "--quiet"]
+            program: list[str | Path] = [
+                sys.executable,
+                ROOT / "verification/oracle.py",
+                scene_file(scene),
+                "--quiet",
+            ]
             must("the oracle", *program, "--output", results, *SMALL)
         return results
 
@@ -73,8 +78,8 @@ class Judge:
 
     def orders_verdict(self) -> Verdict:
         """Whether the manufactured solutions converge otherwise than theory says."""
-        program = [ROOT / "verification/manufactured.py", "--program", self.workspace.build / "manufactured"]
-        study = call(sys.executable, *program, *ORDERS)
+        program = ROOT / "verification/manufactured.py"
+        study = call(sys.executable, program, "--program", self.workspace.build / "manufactured", *ORDERS)
         if study.returncode == ORDERS_REFUSED:
             return True, "orders: " + last_line(study.stderr).removeprefix("manufactured: ")
         if study.returncode not in (ORDERS_AGREE, ORDERS_DIFFER):

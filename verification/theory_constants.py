@@ -188,6 +188,7 @@ def against_conduction(
     weighted = [
         law.conductance.coefficient * fields.trial * fields.test * sides[name].ds()
         for name, law in contacts.items()
+        if law.conductance is not None
     ]
     return fields.quotient(weighted)
 

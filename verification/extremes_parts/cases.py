@@ -23,7 +23,9 @@ class Case:
     group: str  # "alone", "pair", "draw", "situation"
     scene: Flat
     values: tuple[tuple[str, float], ...] = ()
-    singular: bool = False  # the scene has no unique solution, so that stopping with that reason is the right end
+    singular: bool = (
+        False  # the scene has no unique solution, so that stopping with that reason is the right end
+    )
 
 
 def all_cases(draws: int) -> list[Case]:

@@ -24,7 +24,9 @@ from oracle_parts import vtu
 
 AUDIT = 1e-8
 BOUND = 1e-12  # round-off of a pointwise law, relative
-QUADRATIC = 1e-10  # round-off of a quadratic form, relative to the largest term of the energy balance of its step
+QUADRATIC = (
+    1e-10  # round-off of a quadratic form, relative to the largest term of the energy balance of its step
+)
 
 COMPLETED, STOPPED, BAD = "completed", "stopped", "bad"
 REASON = re.compile(r"(momentum|heat) balance: .*; .*(try|prescribe|scale|use) ", re.DOTALL)
@@ -34,7 +36,14 @@ DISSIPATIONS = (
     "viscous_dissipation",
     "friction_dissipation",
 )
-ENERGIES = DISSIPATIONS + ("kinetic_energy", "strain_energy", "compliance_work", "load_work", "thermal_work", "reaction_work")
+ENERGIES = DISSIPATIONS + (
+    "kinetic_energy",
+    "strain_energy",
+    "compliance_work",
+    "load_work",
+    "thermal_work",
+    "reaction_work",
+)
 
 Array = npt.NDArray[Any]
 

@@ -57,7 +57,9 @@ class Parameter:
         low, high = min(self.values), max(self.values)
         if low > 0:
             return float(math.exp(math.log(low) + fraction * (math.log(high) - math.log(low))))
-        if high > -low:  # from zero (or a little below) up: over the decades of the positive ones, zero at the end
+        if (
+            high > -low
+        ):  # from zero (or a little below) up: over the decades of the positive ones, zero at the end
             positive = [value for value in self.values if value > 0]
             return 0.0 if fraction < 0.1 else Parameter("", tuple(positive), self.keys).between(fraction)
         size = min(abs(value) for value in self.values if value != 0)
@@ -110,7 +112,9 @@ PARAMETERS: Final = (
     Parameter("R", (-1e6, -1.0, 0.0, 1e-3, 1e3, 1e6), all_ones("heat.strain_heating")),
     Parameter("k_c", decades(-6, 12, 6, 0.0), key(f"{CONTACT}.conductance.coefficient")),
     Parameter("epsilon_c", decades(-16, 0, 6), key(f"{CONTACT}.conductance.onset")),
-    Parameter("theta_F", (-1e8, -1.0, 0.0, 1.0, 1e4, 1e8), key(f"{CONTACT}.conductance.foundation_temperature")),
+    Parameter(
+        "theta_F", (-1e8, -1.0, 0.0, 1.0, 1e4, 1e8), key(f"{CONTACT}.conductance.foundation_temperature")
+    ),
     Parameter("limit", decades(-6, 8, 5), key(f"{CONTACT}.conductance.limit")),
     Parameter("T", decades(-9, 9, 7), key("time.end")),
 )

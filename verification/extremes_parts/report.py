@@ -23,7 +23,9 @@ class Row:
 
 
 def print_table(rows: Sequence[Row]) -> None:
-    print(f"{'group':<12} {'cases':>5} {COMPLETED:>10} {STOPPED:>8} {BAD:>5} {'retries':>8} {'longest run':>12}")
+    print(
+        f"{'group':<12} {'cases':>5} {COMPLETED:>10} {STOPPED:>8} {BAD:>5} {'retries':>8} {'longest run':>12}"
+    )
     for name in (*GROUPS, "all"):
         chosen = [row for row in rows if name in (row.case.group, "all")]
         if chosen:
@@ -35,7 +37,9 @@ def print_table(rows: Sequence[Row]) -> None:
         print(f"second opinions: {share}; {sum(not opinion.agrees for opinion in opinions)} disagree")
     for row in rows:
         if row.verdict.outcome != COMPLETED:
-            print(f"\n{row.verdict.outcome}: {row.case.group}: {row.case.name} ({row.ended.directory.name})\n    {row.verdict.why}")
+            print(
+                f"\n{row.verdict.outcome}: {row.case.group}: {row.case.name} ({row.ended.directory.name})\n    {row.verdict.why}"
+            )
 
 
 def _line(name: str, rows: Sequence[Row]) -> str:
@@ -50,7 +54,9 @@ def _line(name: str, rows: Sequence[Row]) -> str:
 def write_csv(rows: Iterable[Row], file: Path) -> None:
     with file.open("w", encoding="utf-8", newline="") as stream:
         table = csv.writer(stream)
-        table.writerow(["group", "case", "scene", "outcome", "retries", "iterations", "seconds", "second opinion", "why"])
+        table.writerow(
+            ["group", "case", "scene", "outcome", "retries", "iterations", "seconds", "second opinion", "why"]
+        )
         for row in rows:
             verdict, opinion = row.verdict, row.opinion.text if row.opinion else ""
             table.writerow(

@@ -39,7 +39,9 @@ class Driver:
     def run(self, name: str, scene: Flat) -> Ended:
         file, directory = self.folder / f"{name}.toml", self.folder / name
         write(file, scene)
-        return self._start([str(self.program), "run", str(file), "--quiet", "--output", str(directory)], directory)
+        return self._start(
+            [str(self.program), "run", str(file), "--quiet", "--output", str(directory)], directory
+        )
 
     def case(self, number: int, case: Case) -> Ended:
         steps = int(case.scene["time.steps"])

@@ -46,7 +46,9 @@ def second_opinions(rows: "Sequence[Row]", driver: Driver, share: float) -> dict
     ]
     count = min(len(completed), round(share * len(completed) + 0.5)) if share > 0 else 0
     chosen = sorted(random.Random(SEED).sample(completed, count))
-    jobs = [(rows[number].ended.directory.with_suffix(".toml"), _oracle_folder(rows[number])) for number in chosen]
+    jobs = [
+        (rows[number].ended.directory.with_suffix(".toml"), _oracle_folder(rows[number])) for number in chosen
+    ]
     oracle(jobs, driver.folder, WORKERS)
     return {number: _opinion(rows[number], driver) for number in chosen}
 

@@ -96,8 +96,14 @@ _CONTACT: dict[str, dict[str, Any]] = {
         "time.steps": 32,
     },
     "slip that turns round each step": {"boundary.top.displacement": ["0.05*cos(8*pi*t)", -0.01]},
-    "clamped side touching the contact side": {"boundary.right.displacement": [0.0, 0.0], "boundary.right.traction": ABSENT},
-    "pressure of exponent 3": {f"{CONTACT}.compliance.exponent": 3.0, f"{CONTACT}.compliance.stiffness": 1e10},
+    "clamped side touching the contact side": {
+        "boundary.right.displacement": [0.0, 0.0],
+        "boundary.right.traction": ABSENT,
+    },
+    "pressure of exponent 3": {
+        f"{CONTACT}.compliance.exponent": 3.0,
+        f"{CONTACT}.compliance.stiffness": 1e10,
+    },
     "nodal contact": {f"{CONTACT}.quadrature": "vertex", f"{CONTACT}.compliance.stiffness": 1e12},
 }
 
@@ -123,7 +129,13 @@ _LOADS: dict[str, dict[str, Any]] = {
 }
 
 _SINGULAR: dict[str, dict[str, Any]] = {
-    "static and free, open": {**_MECHANICS_ONLY, **_STATIC, **_NO_LOAD, "boundary.top": ABSENT, f"{CONTACT}.gap": 1.0},
+    "static and free, open": {
+        **_MECHANICS_ONLY,
+        **_STATIC,
+        **_NO_LOAD,
+        "boundary.top": ABSENT,
+        f"{CONTACT}.gap": 1.0,
+    },
     "static, held by frictionless contact only": {
         **_MECHANICS_ONLY,
         **_STATIC,

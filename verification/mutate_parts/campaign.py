@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
+from typing import Any
 
 from .mutation import Mutation
 from .suite import Suite
@@ -83,7 +84,8 @@ COLUMNS = [field.name for field in fields(Verdict)]
 def read(path: Path) -> dict[tuple[str, str], Verdict]:
     """Verdicts of an earlier run by name and digest."""
     with path.open(encoding="utf-8", newline="") as file:
-        rows = [Verdict(**{**row, "seconds": int(row["seconds"])}) for row in csv.DictReader(file)]
+        cells: Iterable[dict[str, Any]] = csv.DictReader(file)
+        rows = [Verdict(**(row | {"seconds": int(row["seconds"])})) for row in cells]
     return {(row.mutation, row.digest): row for row in rows}
 
 

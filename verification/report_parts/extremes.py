@@ -50,9 +50,9 @@ def read(folder: Path, kept: Sequence[Kept]) -> Findings:
 SECTION = Section(
     "extremes",
     "What happens at the limits?",
-    "Each parameter alone over many decades, pairs of them, situations and random draws, on a scene with all physics. A run "
-    "must complete with finite fields and closed balances, or stop with the reason; a share of the completed ones is "
-    "solved again by the oracle.",
+    "Each parameter alone over many decades, pairs of them, situations and random draws, on a scene with all "
+    "physics. A run must complete with finite fields and closed balances, or stop with the reason; a share of the "
+    "completed ones is solved again by the oracle.",
     commands,
     read,
 )

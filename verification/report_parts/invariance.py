@@ -26,7 +26,10 @@ def read(folder: Path, kept: Sequence[Kept]) -> Findings:
         [name, difference, where, "FAILED" if failed else ""] for failed, name, difference, where in found
     ]
     rows.sort(key=lambda row: -float(row[1]))
-    words = f"largest relative difference of {len(rows)} {rows[0][1]} ({rows[0][0]}), allowed {TOLERANCE:.0e}"
+    words = (
+        f"largest relative difference {rows[0][1]} ({rows[0][0]}, of {len(rows)} ways), "
+        f"allowed {TOLERANCE:.0e}"
+    )
     header = ["said otherwise", "largest difference", "in", ""]
     return Findings(run.exit_code == 0, words, [details(f"All {len(rows)}", table(header, rows))])
 
@@ -34,8 +37,8 @@ def read(folder: Path, kept: Sequence[Kept]) -> Findings:
 SECTION = Section(
     "invariance",
     "Is the answer the same in other words?",
-    "Lengths, times, masses and temperatures in other units, the body mirrored, turned or shifted, its mesh renumbered, the "
-    "keys in another order: the fields must follow.",
+    "Lengths, times, masses and temperatures in other units, the body mirrored, turned or shifted, its mesh "
+    "renumbered, the keys in another order: the fields must follow.",
     commands,
     read,
 )

@@ -169,7 +169,7 @@ class VerdictTest(unittest.TestCase):
         good = kept(rows.format("", "2.0e-14") + "\nall 2 agree to 1e-10")
         bad = kept(rows.format("FAILED ", "inf") + "\n1 of 2 differ", 1)
         self.assertTrue(invariance.read(self.folder, [good]).passes)
-        self.assertIn("of 2 2.0e-14 (box: turned)", invariance.read(self.folder, [good]).worst)
+        self.assertIn("2.0e-14 (box: turned, of 2 ways)", invariance.read(self.folder, [good]).worst)
         self.assertFalse(invariance.read(self.folder, [bad]).passes)
 
     def test_extremes(self) -> None:

@@ -85,7 +85,7 @@ def read(path: Path) -> dict[tuple[str, str], Verdict]:
     """Verdicts of an earlier run by name and digest."""
     with path.open(encoding="utf-8", newline="") as file:
         cells: Iterable[dict[str, Any]] = csv.DictReader(file)
-        rows = [Verdict(**(row | {"seconds": int(row["seconds"])})) for row in cells]
+        rows = [Verdict(seconds=int(row.pop("seconds")), **row) for row in cells]
     return {(row.mutation, row.digest): row for row in rows}
 
 

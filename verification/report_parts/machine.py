@@ -12,15 +12,16 @@ from benchmarking.report import processor
 
 
 def version_of(driver: Path) -> str:
-    return _printed([str(driver), "--version"])
+    """Of the driver, with the commit that the sources stand at: its own number changes less often."""
+    commit = _printed(["git", "-C", str(ROOT), "describe", "--always", "--dirty"])
+    return f"{_printed([str(driver), '--version'])}, sources {commit}"
 
 
-def rows(driver_version: str) -> list[list[str]]:
-    """Name and value."""
+def rows(version: str) -> list[list[str]]:
+    """Name and value, the version first."""
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
     found = [
-        ["driver", driver_version],
-        ["sources", _printed(["git", "-C", str(ROOT), "describe", "--always", "--dirty"])],
+        ["driver", version],
         ["processor", f"{processor()}, {os.cpu_count()} cores, {memory:.0f} GiB"],
         ["system", _system()],
         ["compiler", _printed(["c++", "--version"]).splitlines()[0]],

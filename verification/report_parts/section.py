@@ -32,7 +32,7 @@ class Kept:
     printed: str
     seconds: float
     finished: str  # local time, ISO 8601
-    version: str  # of the driver
+    version: str  # of the driver and its sources
 
 
 @dataclass(frozen=True)

@@ -2,61 +2,43 @@
 
     mpirun -n P python3 verification/oracle.py SCENE.toml --output DIR [--set KEY=VALUE]... [--quiet]
 
-Backward Euler with step k for u, w = u', theta. Each step solves, first, the momentum balance for w_n,
+Each step solves, first, the momentum balance for the velocity w_s at its stage (time_steps.py; of backward Euler, its
+end), with u_s = u_b + tau w_s and u_b, w_b, theta_b what the step knows of these before,
 
-    rho (w_n - w_{n-1}, v)/k + (V e(w_n) + E e(u_n), e(v)) - (theta_{n-1} M, e(v))
-      + int_C p_n(r) v.n + int_C p_t(r) w_nt.v_t / |w_nt|_eps  =  (f0, v) + int f1.v,     u_n = u_{n-1} + k w_n,
+    rho (w_s - w_b, v)/tau + (V e(w_s) + E e(u_s), e(v)) - (theta' M, e(v))
+      + int_C p_n(r) v.n + int_C p_t(r) w_st.v_t / |w_st|_eps  =  (f0, v) + int f1.v,
 
-with the penetration r = u_n.n - g, and then the heat balance for theta_n,
+with the penetration r = u_s.n - g, and then the heat balance for theta_s,
 
-    c (theta_n - theta_{n-1}, eta)/k + (K grad theta_n, grad eta) - (R : e(u_{n-1}), eta)
-      + int_C k_c(r) phi_L(theta_n - theta_F) eta  =  (q0, eta) + int q_in eta.
+    c (theta_s - theta_b, eta)/tau + (K grad theta_s, grad eta) - (R : e(u'), eta)
+      + int_C k_c(r) phi_L(theta_s - theta_F) eta  =  (q0, eta) + int q_in eta.
+
+The coupling terms are lagged, theta' = theta_{n-1}, u' = u_{n-1} in backward Euler and in the other schemes what the
+rates lead to expect of theta_s, and u_s; or both are solved in turn until theta_s no longer changes.
 
 Physics that the scene leaves out contributes no form. Exit codes: 0 completed, 1 system, 2 scene, 3 numerics.
 """
 
 import argparse
 import sys
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import ufl
-from dolfinx import fem
-from dolfinx.fem import petsc as fem_petsc
 from mpi4py import MPI
 from petsc4py import PETSc
 
-from oracle_parts.contact import ContactSide
-from oracle_parts.domain import Body, Loads, Nodal, Prescribed, Side, create_body
+from oracle_parts.balances import HeatBalance, Momentum
 from oracle_parts.errors import NumericsError, SceneError
-from oracle_parts.newton import StepEquation, Term, Tolerances
-from oracle_parts.portability import lagrange_space, petsc_vector
+from oracle_parts.problem import Problem, apply_voigt, strain
 from oracle_parts.results import CellStress, FieldWriter, History, Stopwatch
-from oracle_parts.scene import Heat, Material, Scene, read_scene
+from oracle_parts.scene import Scene, read_scene
 from oracle_parts.summary import summary, write_summary
+from oracle_parts.time_steps import Step, step_of
 
-
-def strain(v: Any) -> Any:
-    return ufl.sym(ufl.grad(v))
-
-
-def apply_voigt(matrix: Any, tau: Any) -> Any:
-    """The fourth-order tensor with that Voigt matrix, applied to a symmetric tensor."""
-    if tau.ufl_shape == (2, 2):
-        s = matrix * ufl.as_vector((tau[0, 0], tau[1, 1], 2 * tau[0, 1]))
-        return ufl.as_tensor(((s[0], s[2]), (s[2], s[1])))
-    normal = [tau[axis, axis] for axis in range(3)]
-    s = matrix * ufl.as_vector((*normal, 2 * tau[1, 2], 2 * tau[0, 2], 2 * tau[0, 1]))
-    return ufl.as_tensor(((s[0], s[5], s[4]), (s[5], s[1], s[3]), (s[4], s[3], s[2])))
-
-
-def assembled_matrix(form: Any, bcs: Sequence[Any] = ()) -> Any:
-    matrix = fem_petsc.assemble_matrix(fem.form(form), bcs=list(bcs))
-    matrix.assemble()
-    return matrix
+MOST_TURNS = 50  # of iterated coupling
 
 
 def l2_norm(matrix: Any, vector: Any) -> float:
@@ -64,222 +46,42 @@ def l2_norm(matrix: Any, vector: Any) -> float:
     return float(np.sqrt(max(0.0, vector.dot(matrix * vector))))
 
 
-@dataclass(frozen=True)
-class Piece:
-    """Cells with one set of laws: a region, or the rest of the body."""
-
-    dx: Any
-    material: Any  # Material where the scene has one, Heat likewise
-    heat: Any
-
-
-def pieces_of(body: Body, scene: Scene) -> list[Piece]:
-    if not scene.regions:
-        return [Piece(body.dx(), scene.material, scene.heat)]
-    laws = [*scene.regions.values(), (scene.material, scene.heat)]
-    return [Piece(dx, *own) for dx, own in zip(body.dx_of(list(scene.regions)), laws)]
-
-
-class Problem:
-    """The fields of a scene, its boundary data and contact sides, and what the two balances share."""
-
-    def __init__(self, comm: Any, scene: Scene) -> None:
-        self.scene, self.body = scene, create_body(comm, scene)
-        self.mesh, self.dx, self.pieces = self.body.mesh, self.body.dx(), pieces_of(self.body, scene)
-        self.k = fem.Constant(self.mesh, scene.step)
-        self.Q = lagrange_space(self.mesh, scene.degree)
-        self.V = lagrange_space(self.mesh, scene.degree, scene.dimension) if scene.material else None
-        self.u = self.w = self.theta = None
-        if scene.material:
-            self.u = Nodal(self.V, scene, scene.initial_displacement).function
-            self.w = Nodal(self.V, scene, scene.initial_velocity).function
-        if scene.heat:
-            self.theta = Nodal(self.Q, scene, [scene.initial_temperature]).function
-        self.sides = {name: Side(self.body, name) for name in scene.boundaries}
-        self.contacts = [
-            ContactSide(self.sides[name], contact, index, self.V, self.Q, scene)
-            for index, (name, contact) in enumerate(scene.contacts.items())
-        ]
-        for side in self.contacts:
-            side.prepare_measures(self.u, self.w, self.theta)
-        self.tolerances = Tolerances(scene.tolerance, scene.max_iterations)
-
-    @property
-    def unknowns(self) -> dict[str, int]:
-        spaces = {"displacement": self.V, "temperature": self.Q if self.scene.heat else None}
-        sizes = {name: space.dofmap for name, space in spaces.items() if space}
-        return {name: dofs.index_map.size_global * dofs.index_map_bs for name, dofs in sizes.items()}
-
-    def constant(self, value: Any) -> Any:
-        return fem.Constant(self.mesh, np.asarray(value, dtype=np.float64))
-
-    def sum(self, integrand: Callable[[Callable[[Any], Any], Piece], Any]) -> Any:
-        """The integral over the body of what `integrand` makes, piece by piece, of `constant` and the piece."""
-        return sum(integrand(self.constant, piece) * piece.dx for piece in self.pieces)
+def solve_in_turn(problem: Problem, step: Step, momentum: Momentum, heat: HeatBalance) -> int:
+    """Each balance with what the other has just given, until theta_s no longer changes."""
+    iterations, theta = 0, heat.theta.expected(step)
+    for _ in range(MOST_TURNS):
+        iterations += momentum.solve(step, theta)
+        iterations += heat.solve(step, momentum.stage_u.x.array)
+        new = heat.stage_theta.x.array.copy()
+        sizes = [float(np.abs(values).max(initial=0.0)) for values in (new - theta, new)]
+        change, size = (problem.mesh.comm.allreduce(value, op=MPI.MAX) for value in sizes)
+        if change <= problem.scene.coupling_tolerance * size:
+            return iterations
+        theta = new
+    raise NumericsError("the coupling of momentum and heat balance did not converge")
 
 
-class Momentum:
-    """Finds w_n, then moves u on by k w_n."""
-
-    def __init__(self, problem: Problem) -> None:
-        scene, k, u, w = problem.scene, problem.k, problem.u, problem.w
-        material, heat = scene.material, scene.heat
-        assert material is not None and u is not None and w is not None
-        self.u, self.w, self.step = u, w, scene.step
-        self.u_vector, self.w_vector = petsc_vector(u), petsc_vector(w)
-        trial, v = ufl.TrialFunction(problem.V), ufl.TestFunction(problem.V)
-
-        # The linear part, and the matrices that carry the previous step to the right-hand side
-        dot, dx = ufl.inner, problem.dx
-        self.mass = assembled_matrix(dot(trial, v) * dx)
-        self.strain_product = assembled_matrix(dot(strain(trial), strain(v)) * dx)
-        linear = 0
-        self.inertia: Any = None
-        if material.density is not None:
-            inertia = problem.sum(lambda law, part: law(part.material.density) * dot(trial, v))
-            self.inertia = assembled_matrix(inertia)
-            linear += (1 / k) * inertia
-        if material.viscosity:
-            linear += self._stress_form(problem, "viscosity", trial, v)
-        self.stiffness: Any = None
-        if material.elasticity:
-            elastic = self._stress_form(problem, "elasticity", trial, v)
-            self.stiffness = assembled_matrix(elastic)
-            linear += k * elastic
-        self.thermal: Any = None
-        if heat and heat.thermal_stress is not None:
-            theta_trial = ufl.TrialFunction(problem.Q)
-            coupling = problem.sum(
-                lambda law, part: theta_trial * dot(law(part.heat.thermal_stress), strain(v))
-            )
-            self.thermal = assembled_matrix(coupling)
-            self.theta_vector = petsc_vector(problem.theta)
-
-        # Loads f0, f1 and prescribed displacements
-        self.loads = Loads(fem.form(dot(problem.constant(scene.dimension * [0.0]), v) * dx))
-        if scene.body_force:
-            f0 = Nodal(problem.V, scene, scene.body_force)
-            self.loads.add(f0, fem.form(dot(f0.function, v) * dx))
-        self.prescribed = Prescribed(problem.V, scene)
-        for name, boundary in scene.boundaries.items():
-            side = problem.sides[name]
-            if boundary.traction:
-                f1 = Nodal(problem.V, scene, boundary.traction, side)
-                self.loads.add(f1, fem.form(dot(f1.function, v) * side.ds()))
-            for component, value in enumerate(boundary.displacement or []):
-                if value is not None:
-                    self.prescribed.add(side, component, value)
-
-        # The contact terms, implicit in u_n = u_{n-1} + k w_n
-        terms = [term for side in problem.contacts if (term := side.momentum_term(u + k * w, w))]
-        self.equation = StepEquation(
-            "momentum balance",
-            assembled_matrix(linear),
-            assembled_matrix(linear, self.prescribed.bcs),
-            self.prescribed.bcs,
-            self.prescribed.dofs,
-            w,
-            terms,
-            nonlinear=bool(terms),
-            tolerances=problem.tolerances,
-        )
-
-    @staticmethod
-    def _stress_form(problem: Problem, law: str, trial: Any, v: Any) -> Any:
-        def stress_power(constant: Callable[[Any], Any], part: Piece) -> Any:
-            voigt = constant(getattr(part.material, law).voigt)
-            return ufl.inner(apply_voigt(voigt, strain(trial)), strain(v))
-
-        return problem.sum(stress_power)
-
-    def advance(self, time: float) -> int:
-        b = self.loads.at(time)
-        if self.inertia:
-            b.axpy(1.0 / self.step, self.inertia * self.w_vector)
-        if self.stiffness:
-            b.axpy(-1.0, self.stiffness * self.u_vector)
-        if self.thermal:
-            b.axpy(1.0, self.thermal * self.theta_vector)
-        old = self.u.x.array
-        self.prescribed.apply(self.w, time, lambda value, dofs: (value - old[dofs]) / self.step)
-        iterations = self.equation.solve(b)
-        self.u.x.array[:] += self.step * self.w.x.array
-        return iterations
-
-
-class HeatBalance:
-    """Finds theta_n, with u_n in the conductance and u_{n-1} in the strain heating."""
-
-    def __init__(self, problem: Problem) -> None:
-        scene, k, theta = problem.scene, problem.k, problem.theta
-        heat = scene.heat
-        assert heat is not None and theta is not None
-        self.theta, self.step, self.theta_vector = theta, scene.step, petsc_vector(theta)
-        trial, eta = ufl.TrialFunction(problem.Q), ufl.TestFunction(problem.Q)
-
-        dx = problem.dx
-        self.mass = assembled_matrix(trial * eta * dx)
-        linear = 0
-        self.capacity: Any = None
-        if heat.capacity is not None:
-            capacity = problem.sum(lambda law, part: law(part.heat.capacity) * trial * eta)
-            self.capacity = assembled_matrix(capacity)
-            linear += (1 / k) * capacity
-        if heat.conductivity is not None:
-            linear += problem.sum(
-                lambda law, part: ufl.inner(law(part.heat.conductivity) * ufl.grad(trial), ufl.grad(eta))
-            )
-        self.strain_heating: Any = None
-        if heat.strain_heating is not None:
-            u_trial = ufl.TrialFunction(problem.V)
-            coupling = problem.sum(
-                lambda law, part: ufl.inner(law(part.heat.strain_heating), strain(u_trial)) * eta
-            )
-            self.strain_heating = assembled_matrix(coupling)
-            self.u_vector = petsc_vector(problem.u)
-
-        # Sources q0, fluxes q_in and prescribed temperatures
-        self.loads = Loads(fem.form(problem.constant(0.0) * eta * dx))
-        for piece in problem.pieces:
-            if piece.heat and piece.heat.source:
-                q0 = Nodal(problem.Q, scene, [piece.heat.source])
-                self.loads.add(q0, fem.form(q0.function * eta * piece.dx))
-        self.prescribed = Prescribed(problem.Q, scene)
-        for name, boundary in scene.boundaries.items():
-            side = problem.sides[name]
-            if boundary.heat_flux:
-                q_in = Nodal(problem.Q, scene, [boundary.heat_flux], side)
-                self.loads.add(q_in, fem.form(q_in.function * eta * side.ds()))
-            if boundary.temperature:
-                self.prescribed.add(side, 0, boundary.temperature)
-
-        # The contact's conductance; it is nonlinear in theta only where phi_L has a finite limit
-        terms: list[Term] = [term for side in problem.contacts if (term := side.heat_term(problem.u, theta))]
-        laws = [contact.conductance for contact in scene.contacts.values()]
-        self.equation = StepEquation(
-            "heat balance",
-            assembled_matrix(linear),
-            assembled_matrix(linear, self.prescribed.bcs),
-            self.prescribed.bcs,
-            self.prescribed.dofs,
-            theta,
-            terms,
-            nonlinear=any(law is not None and law.limit is not None for law in laws),
-            tolerances=problem.tolerances,
-        )
-
-    def right_hand_side(self, time: float) -> Any:
-        """To be asked for before the momentum balance moves u on: the coupling takes u_{n-1}."""
-        b = self.loads.at(time)
-        if self.capacity:
-            b.axpy(1.0 / self.step, self.capacity * self.theta_vector)
-        if self.strain_heating:
-            b.axpy(1.0, self.strain_heating * self.u_vector)
-        return b
-
-    def advance(self, time: float, b: Any) -> int:
-        self.prescribed.apply(self.theta, time, lambda value, dofs: value)
-        return self.equation.solve(b)
+def take(problem: Problem, step: Step, momentum: Momentum | None, heat: HeatBalance | None) -> int:
+    """One step; returns the Newton iterations."""
+    for side in problem.contacts:
+        side.update(step.stage)
+    balances = [balance for balance in (momentum, heat) if balance]
+    for balance in balances:
+        balance.begin(step)
+    iterations = 0
+    if momentum and heat and problem.scene.coupling_tolerance is not None:
+        iterations += solve_in_turn(problem, step, momentum, heat)
+    else:
+        if momentum:
+            iterations += momentum.solve(step, heat.theta.expected(step) if heat else None)
+        if heat:
+            u = problem.u if problem.scene.radius is None else problem.stage_u
+            iterations += heat.solve(step, u.x.array if u is not None else None)
+    for balance in balances:
+        balance.move(step)
+    for side in problem.contacts:
+        side.update(step.end)
+    return iterations
 
 
 def cell_stress(problem: Problem) -> CellStress:
@@ -329,17 +131,12 @@ def march(problem: Problem, directory: Path, watch: Stopwatch, history: History,
 
     with watch.timing("output"):
         writer.write(0, 0.0)
+    before: float | None = None
     for step in range(1, scene.steps + 1):
         time = step * scene.step
         with watch.timing("steps"):
-            for side in problem.contacts:
-                side.update(time)
-            iterations = 0
-            heat_b = heat.right_hand_side(time) if heat else None
-            if momentum:
-                iterations += momentum.advance(time)
-            if heat:
-                iterations += heat.advance(time, heat_b)
+            now = step_of(scene.radius, time - scene.step, time, scene.step, before)
+            iterations, before = take(problem, now, momentum, heat), scene.step
             values = diagnostics(problem, momentum, heat)
         history.append(step, time, iterations, values)
         with watch.timing("output"):
@@ -347,7 +144,7 @@ def march(problem: Problem, directory: Path, watch: Stopwatch, history: History,
                 writer.write(step, time)
         if comm.rank == 0 and not quiet:
             print(f"step {step}/{scene.steps}  t = {time:g}  Newton iterations {iterations}", flush=True)
-    equations = [balance.equation for balance in (momentum, heat) if balance]
+    equations = [balance.equations for balance in (momentum, heat) if balance]
     watch.seconds["factor"] = sum(equation.solver_seconds for equation in equations)
 
 

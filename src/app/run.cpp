@@ -83,6 +83,8 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
     const auto finish = [&](const std::string& status, const std::string& reason) {
         timed(seconds.output, [&] { results.add_fields(); });
         seconds.total = start + since_start.seconds();
+        seconds.steps -= simulation->factor_seconds() - seconds.factor;  // for step sizes met on the way
+        seconds.factor = simulation->factor_seconds();
         results.finish(status, reason, seconds);
     };
     int signal = 0;

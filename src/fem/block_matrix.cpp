@@ -253,6 +253,15 @@ void BlockMatrix::compress() {
 }
 
 void BlockMatrix::add(double factor, const BlockMatrix& other) {
+    if (other.scaled_identities) {
+        const auto size = static_cast<std::size_t>(rows), block = size * size;
+        for (std::size_t i = 0; i < other.values.size(); ++i) {
+            for (std::size_t c = 0; c < size; ++c) {
+                values[i * block + c * (size + 1)] += factor * other.values[i];
+            }
+        }
+        return;
+    }
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] += factor * other.values[i];
     }

@@ -46,7 +46,7 @@ struct BlockMatrix {
     /// otherwise.
     void compress();
 
-    /// this += factor * other (same shape, neither compressed).
+    /// this += factor * other (same shape; this is not compressed).
     void add(double factor, const BlockMatrix& other);
 };
 

@@ -13,19 +13,8 @@
 namespace thermocontact::march {
 namespace {
 
-std::unique_ptr<solve::StepProblem> prepare(const solve::StepProblemInput& input, const fem::Space& space,
-                                            solve::Strategy& strategy) {
-    try {
-        return strategy.prepare(input);
-    } catch (const solve::NotPositiveDefinite& failure) {
-        const mesh::Point& x = space.nodes[static_cast<std::size_t>(failure.row / input.matrix.rows)];
-        throw NumericsError(
-            input.name + " balance: the system is singular or indefinite, seen at (" + short_text(x[0]) +
-            ", " + short_text(x[1]) + ") component " + std::to_string(failure.row % input.matrix.rows) +
-            "; the body may be free to move, or a tensor not positive; prescribe a value on a "
-            "boundary, or add density (heat: capacity)");
-    }
-}
+constexpr std::size_t most_systems =
+    4;  ///< kept prepared: a step, its halves, and those a scheme starts with
 
 std::string failure_text(const std::string& name, const solve::NewtonResult& first,
                          const solve::ContinuationResult* ladder) {
@@ -37,26 +26,53 @@ std::string failure_text(const std::string& name, const solve::NewtonResult& fir
                 " solves (" + solve::describe(ladder->newton.end) + ", relative residual " +
                 short_text(ladder->newton.residual) + ")";
     }
-    return text + "; try more time.steps, a larger friction.regularisation, or more solver.max_iterations";
+    return text;
 }
 
 }  // namespace
 
-Balance::Balance(std::string name, const scene::SolverSpec& options, fem::BlockMatrix matrix,
-                 model::Prescribed prescribed, const std::vector<char>& contact_nodes,
-                 model::FacetTerm contact, const fem::Space& space, solve::Strategy& strategy,
-                 std::vector<double>& unknown)
+Balance::Balance(std::string name, const scene::SolverSpec& options, Assembly assembly,
+                 model::Prescribed prescribed, std::vector<char> contact_nodes, model::FacetTerm contact,
+                 const fem::Space& space, solve::Strategy& strategy, std::vector<double>& unknown)
     : name_(std::move(name)),
-      matrix_(std::move(matrix)),
+      options_{options.tolerance, options.max_iterations},
+      assembly_(std::move(assembly)),
       prescribed_(std::move(prescribed)),
+      contact_nodes_(std::move(contact_nodes)),
       contact_(std::move(contact)),
-      unknown_(&unknown) {
+      space_(&space),
+      strategy_(&strategy),
+      unknown_(&unknown) {}
+
+void Balance::use(double tau) {
+    const auto found = std::ranges::find(systems_, tau, [](const auto& system) { return system->tau; });
+    if (found != systems_.end()) {
+        std::rotate(systems_.begin(), found, found + 1);
+    } else {
+        auto system = timed(factor_seconds_, [&] { return prepare(tau); });
+        systems_.resize(std::min(systems_.size(), most_systems - 1));
+        systems_.insert(systems_.begin(), std::move(system));
+        contact_.restrict_to(problem().contact_dofs());
+    }
+    contact_.set_step(tau);
+}
+
+std::unique_ptr<Balance::System> Balance::prepare(double tau) {
+    auto system = std::make_unique<System>(System{tau, assembly_(tau), nullptr});
     const bool symmetric = contact_.smallest_regularisation() == 0;
-    const solve::StepProblemInput input{
-        name_,         matrix_,   prescribed_.fixed(),
-        contact_nodes, symmetric, {options.tolerance, options.max_iterations}};
-    problem_ = timed(factor_seconds_, [&] { return prepare(input, space, strategy); });
-    contact_.restrict_to(problem_->contact_dofs());
+    const solve::StepProblemInput input{name_,          system->matrix, prescribed_.fixed(),
+                                        contact_nodes_, symmetric,      options_};
+    try {
+        system->problem = strategy_->prepare(input);
+    } catch (const solve::NotPositiveDefinite& failure) {
+        const mesh::Point& x = space_->nodes[static_cast<std::size_t>(failure.row / input.matrix.rows)];
+        throw NumericsError(
+            name_ + " balance: the system is singular or indefinite, seen at (" + short_text(x[0]) + ", " +
+            short_text(x[1]) + ") component " + std::to_string(failure.row % input.matrix.rows) +
+            "; the body may be free to move, or a tensor not positive; prescribe a value on a "
+            "boundary, or add density (heat: capacity)");
+    }
+    return system;
 }
 
 void Balance::remove_prescribed(std::vector<double>& rhs) {
@@ -68,42 +84,41 @@ void Balance::remove_prescribed(std::vector<double>& rhs) {
     for (const std::int32_t dof : prescribed_.dofs()) {
         values[static_cast<std::size_t>(dof)] = value(dof);
     }
-    as_eigen(rhs) -= as_eigen(matrix_.multiply(values));
+    as_eigen(rhs) -= as_eigen(systems_.front()->matrix.multiply(values));
 }
 
 SolveReport Balance::solve(std::vector<double>& rhs) {
     remove_prescribed(rhs);
-    Eigen::VectorXd x = timed(seconds_.triangular_solves, [&] { return problem_->begin(rhs, *unknown_); });
+    Eigen::VectorXd x = timed(seconds_.triangular_solves, [&] { return problem().begin(rhs, *unknown_); });
     const SolveReport report = timed(seconds_.newton, [&] { return solve_contact(x); });
-    const bool finite = timed(seconds_.triangular_solves, [&] { return problem_->finish(x, *unknown_); });
+    const bool finite = timed(seconds_.triangular_solves, [&] { return problem().finish(x, *unknown_); });
     if (!finite) {
-        throw NumericsError(name_ +
-                            " balance: the solution is not finite; scale the data, or use more time.steps");
+        throw StepFailure(name_ + " balance: the solution is not finite");
     }
     return report;
 }
 
 SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
     const Eigen::VectorXd start = x;
-    const solve::NewtonResult direct = problem_->solve(contact_, x);
+    const solve::NewtonResult direct = problem().solve(contact_, x);
     if (direct.end == solve::NewtonEnd::converged) {
         return {direct.iterations, 0};
     }
     const double target = contact_.smallest_regularisation();
     if (target == 0) {
-        throw NumericsError(failure_text(name_, direct, nullptr));
+        throw StepFailure(failure_text(name_, direct, nullptr));
     }
     const auto rung = [&](double floor, Eigen::VectorXd& value) {
         contact_.raise_regularisation(floor);
-        return problem_->solve(contact_, value);
+        return problem().solve(contact_, value);
     };
     // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear
     x = start;
-    const double fastest = problem_->largest_unknown(start);
+    const double fastest = problem().largest_unknown(start);
     const solve::ContinuationResult ladder = solve::continue_regularisation(rung, fastest, target, x);
     contact_.raise_regularisation(0);
     if (ladder.newton.end != solve::NewtonEnd::converged) {
-        throw NumericsError(failure_text(name_, direct, &ladder));
+        throw StepFailure(failure_text(name_, direct, &ladder));
     }
     return {direct.iterations + ladder.newton.iterations, ladder.rungs};
 }

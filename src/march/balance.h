@@ -2,10 +2,12 @@
 /// strategy.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "error.h"
 #include "march/state.h"
 #include "model/facet_term.h"
 #include "model/nodal.h"
@@ -14,17 +16,27 @@
 
 namespace thermocontact::march {
 
-/// Solves A x + F(x) = r for the unknowns that are not prescribed, A prepared once.
+/// No solution of a step was found; a smaller one may have one.
+struct StepFailure : NumericsError {
+    using NumericsError::NumericsError;
+};
+
+/// Solves A x + F(x) = r for the unknowns that are not prescribed. A and F depend on tau (step_rule.h); the
+/// systems of the last few tau are kept prepared.
 class Balance {
   public:
+    using Assembly = std::function<fem::BlockMatrix(double tau)>;
+
     /// `unknown` is the trial field [dofs] that the contact term reads and solve() fills.
-    /// Throws NumericsError where A is singular.
-    Balance(std::string name, const scene::SolverSpec& options, fem::BlockMatrix matrix,
-            model::Prescribed prescribed, const std::vector<char>& contact_nodes, model::FacetTerm contact,
+    Balance(std::string name, const scene::SolverSpec& options, Assembly assembly,
+            model::Prescribed prescribed, std::vector<char> contact_nodes, model::FacetTerm contact,
             const fem::Space& space, solve::Strategy& strategy, std::vector<double>& unknown);
 
+    /// Makes A and F those of `tau` (s). Throws NumericsError where A is singular.
+    void use(double tau);
+
     /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws
-    /// NumericsError if no solution is found, having tried Newton and continuation in the regularisation.
+    /// StepFailure if no solution is found, having tried Newton and continuation in the regularisation.
     SolveReport solve(std::vector<double>& rhs);
 
     const model::Prescribed& prescribed() const { return prescribed_; }
@@ -32,21 +44,33 @@ class Balance {
     /// Time spent in solve().
     const StepSeconds& seconds() const { return seconds_; }
     double factor_seconds() const { return factor_seconds_; }
-    std::int64_t factor_entries() const { return problem_->factor_entries(); }
-    std::size_t contact_unknowns() const { return problem_->contact_dofs().size(); }
+    std::int64_t factor_entries() const { return problem().factor_entries(); }
+    std::size_t contact_unknowns() const { return problem().contact_dofs().size(); }
 
   private:
+    struct System {
+        double tau;
+        fem::BlockMatrix matrix;
+        std::unique_ptr<solve::StepProblem> problem;
+    };
+
+    std::unique_ptr<System> prepare(double tau);
+    solve::StepProblem& problem() const { return *systems_.front()->problem; }
     SolveReport solve_contact(Eigen::VectorXd& x);
     void remove_prescribed(std::vector<double>& rhs);
 
     std::string name_;  ///< "momentum", "heat"
-    fem::BlockMatrix matrix_;
+    solve::NewtonOptions options_;
+    Assembly assembly_;
     model::Prescribed prescribed_;
+    std::vector<char> contact_nodes_;
     model::FacetTerm contact_;
+    const fem::Space* space_;
+    solve::Strategy* strategy_;
     std::vector<double>* unknown_;
     StepSeconds seconds_;
     double factor_seconds_ = 0;
-    std::unique_ptr<solve::StepProblem> problem_;
+    std::vector<std::unique_ptr<System>> systems_;  ///< the one in use first, then by their last use
 };
 
 }  // namespace thermocontact::march

@@ -24,13 +24,13 @@ model::FacetTerm contact_term(const scene::Scene& scene, const mesh::Mesh& mesh,
     return term;
 }
 
-/// A = c / k + K.
-fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double k,
+/// A = c / tau + K.
+fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double tau,
                                const std::optional<fem::BlockMatrix>& capacity,
                                const std::optional<fem::BlockMatrix>& conduction) {
     fem::BlockMatrix matrix = fem::zero_matrix(graph, 1, 1);
     if (capacity) {
-        matrix.add(1 / k, *capacity);
+        matrix.add(1 / tau, *capacity);
     }
     if (conduction) {
         matrix.add(1, *conduction);
@@ -42,84 +42,127 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double k,
 
 Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
            const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
-           const State& state, double k, const std::vector<model::Source>& sources)
+           const State& initial, const std::vector<double>* stage_displacement,
+           const std::vector<model::Source>& sources)
     : team_(&strategy.team()),
-      step_(k),
       capacity_density_(model::uniform_capacity(scene)),
       loads_(model::Loads::thermal(scene, mesh, space, sources)),
-      trial_(state.temperature) {
+      stage_(initial.temperature) {
     const Assembler assemble{scene, mesh, space, graph};
     capacity_ = assemble.when(scene.heat->capacity.has_value(), "heat_capacity.capacity", 1, 1);
     conduction_ = assemble.when(scene.heat->conductivity.has_value(), "conduction.conduction", 1, 1);
     strain_heating_ =
         assemble.when(scene.heat->strain_heating.has_value(), "strain_heating.coupling", 1, scene.dimension);
     gram_ = assemble.when(!capacity_density_, "norms.temperature", 1, 1);
-    if (!scene.material) {
+    if (stage_displacement == nullptr) {
         no_displacement_.assign(space.nodes.size() * static_cast<std::size_t>(scene.dimension), 0.0);
+        stage_displacement = &no_displacement_;
     }
-    const std::vector<double>& displacement = scene.material ? state.displacement : no_displacement_;
     balance_ = std::make_unique<Balance>(
-        "heat", scene.solver, system_matrix(graph, k, capacity_, conduction_),
+        "heat", scene.solver,
+        [&graph, this](double tau) { return system_matrix(graph, tau, capacity_, conduction_); },
         model::Prescribed::temperature(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::conductance),
-        contact_term(scene, mesh, space, surfaces, displacement, trial_), space, strategy, trial_);
-    for (auto* products : {&stored_, &new_stored_, &conducted_, &outflow_, &strain_source_}) {
-        products->resize(trial_.size());
+        contact_term(scene, mesh, space, surfaces, *stage_displacement, stage_), space, strategy, stage_);
+    for (auto* products :
+         {&stored_, &base_stored_, &new_stored_, &conducted_, &outflow_, &strain_source_, &rhs_}) {
+        products->resize(stage_.size());
     }
+    restart(initial);
+}
+
+void Heat::restart(const State& state) {
     product(capacity_, state.temperature, stored_);
-    product(strain_heating_, state.displacement, strain_source_);
 }
 
-SolveReport Heat::advance(double time, State& state) {
-    const std::vector<double>& load = loads_.at(time);
-    std::vector<double> rhs(load.size());
-    as_eigen(rhs) =
-        as_eigen(load) + as_eigen(std::as_const(stored_)) / step_ + as_eigen(std::as_const(strain_source_));
-    trial_ = state.temperature;
-    balance_->prescribed().apply(time, trial_);
-    const SolveReport report = balance_->solve(rhs);
-    timed(audit_seconds_, [&] { audit(load); });
+void Heat::begin(const StepRule& rule, const State& state) {
+    rule_ = rule;
+    balance_->use(rule.tau);
+    load_ = &loads_.at(rule.stage_time());
+    if (rule.memory() != 0) {
+        extrapolate(rule.memory(), state.temperature, state.temperature_rate, stage_);
+        product(capacity_, stage_, base_stored_);
+    }
+    extrapolate(rule.alpha * rule.step, state.temperature, state.temperature_rate, expected_);
+    stage_ = expected_;
+    new_temperature_ = state.temperature;
+    balance_->prescribed().apply(rule.end, new_temperature_);
+    for (const std::int32_t dof : balance_->prescribed().dofs()) {
+        const auto i = static_cast<std::size_t>(dof);
+        stage_[i] = state.temperature[i] + rule.alpha * (new_temperature_[i] - state.temperature[i]);
+    }
+}
+
+SolveReport Heat::solve(const std::vector<double>& displacement) {
+    product(strain_heating_, displacement, strain_source_);
+    as_eigen(rhs_) =
+        as_eigen(*load_) + as_eigen(base_stored()) / rule_.tau + as_eigen(std::as_const(strain_source_));
+    return balance_->solve(rhs_);
+}
+
+/// The prescribed temperatures are those of begin(), to the last bit.
+void Heat::accept(State& state, bool carry_rates) {
+    for (std::size_t i = 0; i < stage_.size(); ++i) {
+        if (balance_->prescribed().fixed()[i] == 0) {
+            new_temperature_[i] = rule_.completed(state.temperature[i], stage_[i]);
+        }
+    }
+    timed(audit_seconds_, [&] { audit(); });
+    if (carry_rates) {
+        renew_rate(rule_, state.temperature, new_temperature_, state.temperature_rate);
+    }
     std::swap(stored_, new_stored_);
-    product(strain_heating_, state.displacement, strain_source_);
-    state.temperature = trial_;
-    return report;
+    std::swap(state.temperature, new_temperature_);
 }
 
-void Heat::audit(const std::vector<double>& load) {
-    product(capacity_, trial_, new_stored_);
-    product(conduction_, trial_, conducted_);
+Heat::Flows Heat::flows() {
+    product(capacity_, new_temperature_, new_stored_);
+    product(conduction_, stage_, conducted_);
     balance_->contact().nodal_forces("conductance", outflow_);
+    const auto stored = as_eigen(std::as_const(stored_)), load = as_eigen(*load_),
+               strain = as_eigen(std::as_const(strain_source_)), outflow = as_eigen(std::as_const(outflow_));
     const Eigen::VectorXd storage =
-        (as_eigen(std::as_const(new_stored_)) - as_eigen(std::as_const(stored_))) / step_;
-    const Eigen::VectorXd residual = storage + as_eigen(std::as_const(conducted_)) +
-                                     as_eigen(std::as_const(outflow_)) - as_eigen(load) -
-                                     as_eigen(std::as_const(strain_source_));
-    const auto strain = as_eigen(std::as_const(strain_source_)), flow = as_eigen(std::as_const(outflow_));
-    struct Sums {  // scale: the magnitude of what is summed, as inflow on one side and outflow on the other
-                   // still count
-        double storage, outflow, reaction, load, strain, scale;
-    };
-    Sums here{storage.sum(),
-              flow.sum(),
-              0,
-              as_eigen(load).sum(),
-              strain.sum(),
-              storage.lpNorm<1>() + flow.lpNorm<1>() + as_eigen(load).lpNorm<1>() + strain.lpNorm<1>()};
+        (rule_.alpha * (as_eigen(std::as_const(new_stored_)) - stored) - (as_eigen(base_stored()) - stored)) /
+        rule_.tau;
+    const Eigen::VectorXd residual = storage + as_eigen(std::as_const(conducted_)) + outflow - load - strain;
+    Flows here{storage.sum(),
+               outflow.sum(),
+               0,
+               load.sum(),
+               strain.sum(),
+               storage.lpNorm<1>() + outflow.lpNorm<1>() + load.lpNorm<1>() + strain.lpNorm<1>()};
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         here.reaction += residual[dof];
         here.scale += std::abs(residual[dof]);
     }
-    const Sums sums = team_->summed(here);
-    const Record terms{{"heat_storage_rate", sums.storage},
-                       {"contact_heat_outflow", sums.outflow},
-                       {"prescribed_temperature_inflow", sums.reaction},
-                       {"load_heat_inflow", sums.load},
-                       {"strain_heat_inflow", sums.strain}};
-    const double sum = sums.storage + sums.outflow - sums.reaction - sums.load - sums.strain;
-    heat_residual_ = sums.scale > 0 ? std::abs(sum) / sums.scale : 0.0;
-    record_ = {{"temperature_l2", capacity_density_ ? norm(trial_, new_stored_) : temperature_norm(trial_)}};
-    record_.insert(record_.end(), terms.begin(), terms.end());
-    record_.emplace_back("heat_residual", heat_residual_);
+    return team_->summed(here);
+}
+
+void Heat::audit() {
+    const Flows now = flows();
+    const double duration = audit_.duration + rule_.step;
+    const double weight = audit_.duration == 0 ? 1.0 : rule_.step / duration;
+    for (double Flows::*flow :
+         {&Flows::storage, &Flows::outflow, &Flows::reaction, &Flows::load, &Flows::strain, &Flows::scale}) {
+        audit_.mean.*flow =
+            weight == 1.0 ? now.*flow : (1 - weight) * (audit_.mean.*flow) + weight * (now.*flow);
+    }
+    audit_.duration = duration;
+}
+
+void Heat::close_audit(const State& state) {
+    const Flows& mean = audit_.mean;
+    const double sum = mean.storage + mean.outflow - mean.reaction - mean.load - mean.strain;
+    heat_residual_ = mean.scale > 0 ? std::abs(sum) / mean.scale : 0.0;
+    record_ = {{"temperature_l2",
+                capacity_density_ ? norm(state.temperature, stored_) : temperature_norm(state.temperature)},
+               {"heat_storage_rate", mean.storage},
+               {"contact_heat_outflow", mean.outflow},
+               {"prescribed_temperature_inflow", mean.reaction},
+               {"load_heat_inflow", mean.load},
+               {"strain_heat_inflow", mean.strain},
+               {"heat_residual", heat_residual_}};
+    drop_audit();
 }
 
 double Heat::temperature_norm(const std::vector<double>& theta) const {

@@ -3,12 +3,16 @@
 ///   c (theta_n - theta_{n-1}, eta)/k + (K grad theta_n, grad eta) + int_C k_c(u_n.n - g) phi_L(theta_n -
 ///   theta_F) eta
 ///     = (q0, eta) + (heat flux, eta)_N + (R : eps(u_{n-1}), eta).
+///
+/// That is backward Euler with lagged coupling; in the other schemes theta_n and u_n are the values at the
+/// stage, theta_{n-1} is theta_hat, k is tau (step_rule.h), and the strain heating takes u_n, just computed.
 #pragma once
 
 #include <memory>
 #include <optional>
 
 #include "march/balance.h"
+#include "march/step_rule.h"
 #include "model/loads.h"
 #include "parallel/team.h"
 
@@ -16,49 +20,88 @@ namespace thermocontact::march {
 
 class Heat {
   public:
-    /// Assembles and factors for the step size k (s); `sources` are loads beside the scene's. The contact
-    /// forms read the displacement of `state`, which must keep its address. Throws NumericsError where the
-    /// system is singular.
+    /// Assembles; `sources` are loads beside the scene's. The contact forms read the displacement at the
+    /// stage from `stage_displacement`, which must keep its address (null in a scene without mechanics).
     Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
          const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
-         const State& state, double k, const std::vector<model::Source>& sources);
+         const State& initial, const std::vector<double>* stage_displacement,
+         const std::vector<model::Source>& sources);
 
-    /// From theta_{n-1} to theta_n at `time`; the displacement of `state` is already the new one. The
-    /// temperature changes only if the solve succeeds. Throws NumericsError.
-    SolveReport advance(double time, State& state);
+    /// A step is begun, solved and accepted, as that of Momentum.
+    void begin(const StepRule& rule, const State& state);
 
-    /// Norm, and every term of the heat balance of the last step (MODEL.md, 6).
+    /// Solves with the displacement in the strain heating; that in the contact is the one at the stage, just
+    /// computed. Throws StepFailure.
+    SolveReport solve(const std::vector<double>& displacement);
+
+    /// Moves the state's temperature, and its rate where the scheme has one, to the end of the step.
+    void accept(State& state, bool carry_rates);
+
+    /// theta + alpha k q, or theta where the scheme takes no rates: what is known of the stage before it is
+    /// solved.
+    const std::vector<double>& expected_temperature() const { return expected_; }
+    /// theta_s, from solve().
+    const std::vector<double>& stage_temperature() const { return stage_; }
+
+    /// Takes up a state that accept() did not produce.
+    void restart(const State& state);
+
+    /// Ends the sums over the steps accepted since the last call, which led to `state`: the norm, and every
+    /// term of the heat balance (MODEL.md, 6), means over the time.
+    void close_audit(const State& state);
+    /// Forgets them.
+    void drop_audit() { audit_ = {}; }
     const Record& record() const { return record_; }
     double heat_residual() const { return heat_residual_; }  ///< relative
 
     /// ||theta||_L2.
     double temperature_norm(const std::vector<double>& theta) const;
 
+    Balance& balance() { return *balance_; }
     const Balance& balance() const { return *balance_; }
 
-    /// Time spent in advance().
+    /// Time spent in solve() and accept().
     StepSeconds seconds() const;
 
   private:
-    void audit(const std::vector<double>& load);
+    struct Flows {  ///< W (W/m in 2D)
+        double storage, outflow, reaction, load, strain;
+        double scale;  ///< the magnitude of what is summed: inflow on one side and outflow on the other count
+    };
+    struct Audit {            ///< of the steps since the last row of the history
+        double duration = 0;  ///< s
+        Flows mean{};
+    };
+
+    void audit();
+    Flows flows();
+    const std::vector<double>& base_stored() const { return rule_.memory() == 0 ? stored_ : base_stored_; }
 
     /// ||theta||_L2 from the product with the capacity matrix, which is c times the Gram matrix, or, without
     /// capacity, with the Gram matrix itself.
     double norm(const std::vector<double>& theta, const std::vector<double>& product) const;
 
     const parallel::Team* team_;
-    double step_;
     std::optional<double> capacity_density_;  ///< c, where it is uniform
     std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_;
     std::optional<fem::BlockMatrix> gram_;  ///< without uniform capacity
     model::Loads loads_;
-    std::vector<double> trial_;            ///< theta_n, which the contact forms read
+
+    // of the step at hand
+    StepRule rule_{};
+    const std::vector<double>* load_ = nullptr;
+    std::vector<double> expected_,
+        stage_;  ///< theta_s before and after it is solved; the contact forms read it
+    std::vector<double> new_temperature_;  ///< at the end of the step
     std::vector<double> no_displacement_;  ///< for contact forms of a scene without mechanics
     std::unique_ptr<Balance> balance_;
-    std::vector<double> stored_, new_stored_;  ///< C theta_{n-1} and C theta_n
-    std::vector<double> outflow_;              ///< contact conductance, assembled
-    std::vector<double> conducted_;            ///< K theta_n
-    std::vector<double> strain_source_;        ///< R : eps(u_{n-1}), assembled
+    std::vector<double> stored_, base_stored_, new_stored_;  ///< C theta, C theta_hat and C theta_new
+    std::vector<double> rhs_;
+    std::vector<double> outflow_;        ///< contact conductance, assembled
+    std::vector<double> conducted_;      ///< K theta_s
+    std::vector<double> strain_source_;  ///< R : eps(u), assembled
+
+    Audit audit_;
     double audit_seconds_ = 0;
     Record record_;
     double heat_residual_ = 0;

@@ -10,14 +10,13 @@ namespace {
 
 model::FacetTerm contact_term(const mesh::Mesh& mesh, const fem::Space& space, int dimension,
                               const model::ContactSurfaces& surfaces,
-                              const std::vector<double>& old_displacement, std::vector<double>& velocity,
-                              double k) {
+                              const std::vector<double>& old_displacement, std::vector<double>& velocity) {
     model::FacetTerm term(space, dimension, velocity);
     for (const auto& surface : surfaces) {
         const fem::Fields fields{{"w", {&velocity, dimension, &space.dofmap}},
                                  {"u_old", {&old_displacement, dimension, &space.dofmap}},
                                  {"g", {&surface->gap, 1, &space.dofmap}}};
-        const fem::Constants constants = model::contact_constants(surface->laws, k);
+        const fem::Constants constants = model::contact_constants(surface->laws, 0.0);
         if (surface->laws.compliance) {
             term.add("compliance", mesh, *surface, constants, fields);
         }
@@ -28,37 +27,45 @@ model::FacetTerm contact_term(const mesh::Mesh& mesh, const fem::Space& space, i
     return term;
 }
 
-/// A = rho M / k + V + k E.
-fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, double k,
+/// A = rho M / tau + V + tau E.
+fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, double tau,
                                const std::optional<fem::BlockMatrix>& mass,
                                const std::optional<fem::BlockMatrix>& damping,
                                const std::optional<fem::BlockMatrix>& stiffness) {
     fem::BlockMatrix matrix = fem::zero_matrix(graph, dimension, dimension);
     if (mass) {
-        matrix.add(1 / k, *mass);
+        matrix.add(1 / tau, *mass);
     }
     if (damping) {
         matrix.add(1, *damping);
     }
     if (stiffness) {
-        matrix.add(k, *stiffness);
+        matrix.add(tau, *stiffness);
     }
     return matrix;
+}
+
+/// What the scheme dissipates at one unknown, twice: `change` is that of the value over the step, `force`
+/// that of the force, `carried` the force of y_hat less that of y (momentum_audit.h).
+double twice_dissipated(const StepRule& rule, double change, double stage, double force, double carried) {
+    const double lambda = rule.tau / (rule.alpha * rule.step);
+    return (2 * rule.alpha - 1) * change * force +
+           2 * stage * ((1 / lambda - 1) * force - carried / (lambda * rule.alpha));
 }
 
 }  // namespace
 
 Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
                    const fem::NodeGraph& graph, solve::Strategy& strategy,
-                   const model::ContactSurfaces& surfaces, const State& initial, double k,
+                   const model::ContactSurfaces& surfaces, const State& initial,
                    const std::vector<model::Source>& sources)
     : team_(&strategy.team()),
       dimension_(scene.dimension),
-      step_(k),
       density_(model::uniform_density(scene)),
       loads_(model::Loads::mechanical(scene, mesh, space, sources)),
-      trial_(initial.velocity),
-      old_displacement_(initial.displacement) {
+      stage_velocity_(initial.velocity),
+      base_displacement_(initial.displacement),
+      stage_displacement_(initial.displacement) {
     const Assembler assemble{scene, mesh, space, graph};
     const int d = dimension_;
     mass_ = assemble.when(scene.material->density.has_value(), "inertia.mass", d, d);
@@ -67,19 +74,24 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
     coupling_ = assemble.when(scene.heat && scene.heat->thermal_stress, "thermal_stress.coupling", d, 1);
     velocity_gram_ = assemble.when(!density_, "norms.velocity", d, d);
     strain_gram_ = assemble("norms.strains", d, d);
-    balance_ = std::make_unique<Balance>(
-        "momentum", scene.solver, system_matrix(graph, d, k, mass_, damping_, stiffness_),
-        model::Prescribed::displacement(scene, mesh, space),
-        model::nodes_with(surfaces, space, &scene::Contact::compliance),
-        contact_term(mesh, space, d, surfaces, old_displacement_, trial_, k), space, strategy, trial_);
     for (auto* compressible : {&mass_, &velocity_gram_}) {
         if (*compressible) {
             (*compressible)->compress();
         }
     }
+    balance_ = std::make_unique<Balance>(
+        "momentum", scene.solver,
+        [&graph, this](double tau) {
+            return system_matrix(graph, dimension_, tau, mass_, damping_, stiffness_);
+        },
+        model::Prescribed::displacement(scene, mesh, space),
+        model::nodes_with(surfaces, space, &scene::Contact::compliance),
+        contact_term(mesh, space, d, surfaces, base_displacement_, stage_velocity_), space, strategy,
+        stage_velocity_);
     for (auto* nodal : {&thermal_, &inertia_, &viscous_, &compliance_, &friction_, &reaction_}) {
-        nodal->resize(trial_.size());
+        nodal->resize(stage_velocity_.size());
     }
+    rhs_.resize(stage_velocity_.size());
     restart(initial);
 }
 
@@ -97,62 +109,104 @@ void Momentum::restart(const State& state) {
     apply(state.velocity, state.displacement, old_);
 }
 
-void Momentum::set_right_hand_side(const std::vector<double>& load) {
-    rhs_.resize(load.size());
-    as_eigen(rhs_) = as_eigen(load) + as_eigen(std::as_const(old_.mass_w)) / step_ -
-                     as_eigen(std::as_const(old_.stiffness_u)) + as_eigen(std::as_const(thermal_));
-}
-
-SolveReport Momentum::advance(double time, State& state) {
-    const std::vector<double>& load = loads_.at(time);
-    product(coupling_, state.temperature, thermal_);
-    set_right_hand_side(load);
-    std::vector<double> new_u = state.displacement;
-    balance_->prescribed().apply(time, new_u);
-    trial_ = state.velocity;
-    old_displacement_ = state.displacement;
+void Momentum::begin(const StepRule& rule, const State& state) {
+    rule_ = rule;
+    balance_->use(rule.tau);
+    load_ = &loads_.at(rule.stage_time());
+    extrapolate(rule.memory(), state.displacement, state.displacement_rate, base_displacement_);
+    if (rule.memory() != 0) {
+        extrapolate(rule.memory(), state.velocity, state.velocity_rate, base_velocity_);
+        apply(base_velocity_, base_displacement_, base_);
+    }
+    extrapolate(rule.alpha * rule.step, state.velocity, state.velocity_rate, stage_velocity_);
+    new_displacement_ = state.displacement;
+    balance_->prescribed().apply(rule.end, new_displacement_);
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
-        trial_[i] = (new_u[i] - state.displacement[i]) / step_;
+        const double u = state.displacement[i];
+        stage_displacement_[i] = u + rule.alpha * (new_displacement_[i] - u);
+        stage_velocity_[i] = (stage_displacement_[i] - base_displacement_[i]) / rule.tau;
     }
+}
+
+SolveReport Momentum::solve(const std::vector<double>& temperature) {
+    product(coupling_, temperature, thermal_);
+    as_eigen(rhs_) = as_eigen(*load_) + as_eigen(base().mass_w) / rule_.tau - as_eigen(base().stiffness_u) +
+                     as_eigen(std::as_const(thermal_));
     const SolveReport report = balance_->solve(rhs_);
-    for (std::size_t i = 0; i < new_u.size(); ++i) {
+    for (std::size_t i = 0; i < stage_displacement_.size(); ++i) {
         if (balance_->prescribed().fixed()[i] == 0) {
-            new_u[i] += step_ * trial_[i];
+            stage_displacement_[i] = base_displacement_[i] + rule_.tau * stage_velocity_[i];
         }
     }
-    timed(audit_seconds_, [&] { audit(load, state, new_u); });
-    state.displacement = std::move(new_u);
-    state.velocity = trial_;
     return report;
 }
 
-MomentumForces Momentum::collect_forces(const std::vector<double>& load) {
-    product(damping_, trial_, viscous_);
-    balance_->contact().nodal_forces("compliance", compliance_);
-    balance_->contact().nodal_forces("friction", friction_);
-    for (const std::int32_t dof : balance_->prescribed().dofs()) {
-        const auto i = static_cast<std::size_t>(dof);
-        reaction_[i] = inertia_[i] + viscous_[i] + now_.stiffness_u[i] - thermal_[i] + compliance_[i] +
-                       friction_[i] - load[i];
+void Momentum::accept(State& state, bool carry_rates) {
+    timed(audit_seconds_, [&] {
+        complete(state);
+        apply(new_velocity_, new_displacement_, now_);
+        audit(state);
+    });
+    if (carry_rates) {
+        renew_rate(rule_, state.displacement, new_displacement_, state.displacement_rate);
+        renew_rate(rule_, state.velocity, new_velocity_, state.velocity_rate);
     }
-    const auto view = [](const std::vector<double>& v) { return as_eigen(v); };
-    return {view(inertia_),  view(viscous_), view(now_.stiffness_u), view(thermal_), view(compliance_),
-            view(friction_), view(load),     view(reaction_)};
+    std::swap(old_, now_);
+    std::swap(state.displacement, new_displacement_);
+    std::swap(state.velocity, new_velocity_);
 }
 
-Energies Momentum::energies(const State& old, const std::vector<double>& new_u) {
+/// The prescribed displacements are those of begin(), to the last bit.
+void Momentum::complete(const State& state) {
+    new_velocity_.resize(stage_velocity_.size());
+    for (std::size_t i = 0; i < stage_velocity_.size(); ++i) {
+        if (balance_->prescribed().fixed()[i] == 0) {
+            new_displacement_[i] = rule_.completed(state.displacement[i], stage_displacement_[i]);
+        }
+        new_velocity_[i] = rule_.completed(state.velocity[i], stage_velocity_[i]);
+    }
+}
+
+MomentumForces Momentum::collect_forces() {
+    product(damping_, stage_velocity_, viscous_);
+    balance_->contact().nodal_forces("compliance", compliance_);
+    balance_->contact().nodal_forces("friction", friction_);
+    const std::vector<double>& base_mass_w = base().mass_w;
+    for (std::size_t i = 0; i < inertia_.size(); ++i) {
+        const double mass_change = now_.mass_w[i] - old_.mass_w[i];
+        inertia_[i] = (rule_.alpha * mass_change - (base_mass_w[i] - old_.mass_w[i])) / rule_.tau;
+    }
+    for (const std::int32_t dof : balance_->prescribed().dofs()) {
+        const auto i = static_cast<std::size_t>(dof);
+        const double elastic =
+            old_.stiffness_u[i] + rule_.alpha * (now_.stiffness_u[i] - old_.stiffness_u[i]);
+        reaction_[i] =
+            inertia_[i] + viscous_[i] + elastic - thermal_[i] + compliance_[i] + friction_[i] - (*load_)[i];
+    }
+    const auto view = [](const std::vector<double>& v) { return as_eigen(v); };
+    return {view(inertia_),  view(viscous_), view(thermal_), view(compliance_),
+            view(friction_), view(*load_),   view(reaction_)};
+}
+
+Energies Momentum::energies(const State& old) const {
     Energies sums;  // at shared nodes each process holds a part of M w and K u, so that the sums add up
-    for (std::size_t i = 0; i < trial_.size(); ++i) {
+    const Products& base = this->base();
+    for (std::size_t i = 0; i < stage_velocity_.size(); ++i) {
         const double mass_change = now_.mass_w[i] - old_.mass_w[i],
                      stiffness_change = now_.stiffness_u[i] - old_.stiffness_u[i];
-        inertia_[i] = mass_change / step_;
+        // of a body that has moved far, u_n - u_{n-1} would have fewer digits
+        const double motion =
+            (rule_.tau * stage_velocity_[i] + (base_displacement_[i] - old.displacement[i])) / rule_.alpha;
         sums.kinetic_old += old.velocity[i] * old_.mass_w[i];
-        sums.kinetic += trial_[i] * now_.mass_w[i];
-        sums.kinetic_numerical += (trial_[i] - old.velocity[i]) * mass_change;
+        sums.kinetic += new_velocity_[i] * now_.mass_w[i];
+        sums.kinetic_numerical +=
+            twice_dissipated(rule_, new_velocity_[i] - old.velocity[i], stage_velocity_[i], mass_change,
+                             base.mass_w[i] - old_.mass_w[i]);
         sums.strain_old += old.displacement[i] * old_.stiffness_u[i];
-        sums.strain += new_u[i] * now_.stiffness_u[i];
-        sums.strain_numerical += step_ * trial_[i] * stiffness_change;
+        sums.strain += new_displacement_[i] * now_.stiffness_u[i];
+        sums.strain_numerical += twice_dissipated(rule_, motion, stage_displacement_[i], stiffness_change,
+                                                  base.stiffness_u[i] - old_.stiffness_u[i]);
     }
     for (double Energies::*sum : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical,
                                   &Energies::strain_old, &Energies::strain, &Energies::strain_numerical}) {
@@ -161,23 +215,27 @@ Energies Momentum::energies(const State& old, const std::vector<double>& new_u) 
     return team_->summed(sums);
 }
 
-void Momentum::audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u) {
-    apply(trial_, new_u, now_);
-    const Energies energy_terms = energies(old, new_u);
-    const MomentumForces forces = collect_forces(load);
-    const MomentumSums sums = team_->summed(sum_up(forces, as_eigen(std::as_const(trial_)), dimension_));
-    const Audit energy = audit_energy(energy_terms, sums, step_);
-    const Audit force = audit_forces(sums, dimension_);
-    std::swap(old_, now_);
+void Momentum::audit(const State& old) {
+    const MomentumForces forces = collect_forces();
+    const MomentumSums sums =
+        team_->summed(sum_up(forces, as_eigen(std::as_const(stage_velocity_)), dimension_));
+    audit_.add(rule_.step, energies(old), sums);
+}
+
+void Momentum::close_audit(const State& state) {
+    const Audit energy = audit_energy(audit_.energies, audit_.sums, audit_.duration);
+    const Audit force = audit_forces(audit_.sums, dimension_);
     energy_residual_ = energy.residual;
     force_residual_ = force.residual;
-    // |w|^2 = 2 KE / rho spares a product, the deformation of apply() another pass
-    const double speed = density_ ? std::sqrt(2 * energy_terms.kinetic / *density_) : velocity_norm(trial_);
-    record_ = {{"velocity_l2", speed}, {"displacement_strain_l2", norm(strain_gram_, deformation_)}};
+    // |w|^2 = 2 KE / rho spares a product, the deformation of the last apply() another pass
+    const double speed = std::sqrt(2 * audit_.energies.kinetic / density_.value_or(1.0));
+    record_ = {{"velocity_l2", density_ ? speed : velocity_norm(state.velocity)},
+               {"displacement_strain_l2", norm(strain_gram_, deformation_)}};
     record_.insert(record_.end(), energy.terms.begin(), energy.terms.end());
     record_.emplace_back("energy_residual", energy_residual_);
     record_.insert(record_.end(), force.terms.begin(), force.terms.end());
     record_.emplace_back("force_residual", force_residual_);
+    drop_audit();
 }
 
 double Momentum::velocity_norm(const std::vector<double>& w) const {

@@ -2,6 +2,9 @@
 ///
 ///   rho (w_n - w_{n-1}, v)/k + (V eps(w_n), eps(v)) + (E eps(u_n), eps(v)) - (theta_{n-1} M, eps(v))
 ///     + contact(u_n, w_n; v) = (f0, v) + (f1, v)_N,      u_n = u_{n-1} + k w_n.
+///
+/// That is backward Euler; in the other schemes w_n, u_n are the values at the stage, w_{n-1}, u_{n-1} are
+/// w_hat, u_hat, and k is tau (step_rule.h).
 #pragma once
 
 #include <memory>
@@ -9,6 +12,7 @@
 
 #include "march/balance.h"
 #include "march/momentum_audit.h"
+#include "march/step_rule.h"
 #include "model/loads.h"
 #include "parallel/team.h"
 
@@ -16,20 +20,34 @@ namespace thermocontact::march {
 
 class Momentum {
   public:
-    /// Assembles and factors for the step size k (s); `sources` are loads beside the scene's. Throws
-    /// NumericsError where the system is singular.
+    /// Assembles; `sources` are loads beside the scene's.
     Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
              const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
-             const State& initial, double k, const std::vector<model::Source>& sources);
+             const State& initial, const std::vector<model::Source>& sources);
 
-    /// From the state at t_{n-1} to u_n and w_n at `time`; the temperature of `state` is the old one. The
-    /// state changes only if the solve succeeds. Throws NumericsError.
-    SolveReport advance(double time, State& state);
+    /// A step is begun, solved (again if the temperature changes) and accepted. The state changes when it is
+    /// accepted; a step that is not leaves no trace. `state` is that at the begin of the step. Throws
+    /// NumericsError where the system is singular.
+    void begin(const StepRule& rule, const State& state);
 
-    /// Takes up a state that advance() did not produce: the initial one, or an earlier one after a failure.
+    /// Solves with the temperature in the thermal stress. Throws StepFailure.
+    SolveReport solve(const std::vector<double>& temperature);
+
+    /// Moves the state's displacement and velocity, and their rates where the scheme has them, to the end of
+    /// the step, and adds the step to the audit.
+    void accept(State& state, bool carry_rates);
+
+    /// The displacement at the stage, from solve(); its address stays.
+    const std::vector<double>& stage_displacement() const { return stage_displacement_; }
+
+    /// Takes up a state that accept() did not produce: the initial one, or an earlier one after a failure.
     void restart(const State& state);
 
-    /// Norms, and every term of the energy and force balances of the last step (MODEL.md, 6).
+    /// Ends the sums over the steps accepted since the last call, which led to `state`: norms, and every term
+    /// of the energy and force balances (MODEL.md, 6).
+    void close_audit(const State& state);
+    /// Forgets them.
+    void drop_audit() { audit_ = {}; }
     const Record& record() const { return record_; }
     double energy_residual() const { return energy_residual_; }  ///< relative
     double force_residual() const { return force_residual_; }    ///< relative
@@ -38,9 +56,10 @@ class Momentum {
     double velocity_norm(const std::vector<double>& w) const;
     double strain_norm(std::vector<double> u) const;
 
+    Balance& balance() { return *balance_; }
     const Balance& balance() const { return *balance_; }
 
-    /// Time spent in advance().
+    /// Time spent in solve() and accept().
     StepSeconds seconds() const;
 
   private:
@@ -51,26 +70,35 @@ class Momentum {
     void apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
                Products& products);
 
-    void set_right_hand_side(const std::vector<double>& load);
-    MomentumForces collect_forces(const std::vector<double>& load);
+    /// Products of w_hat and u_hat.
+    const Products& base() const { return rule_.memory() == 0 ? old_ : base_; }
+    void complete(const State& state);
+    MomentumForces collect_forces();
+    Energies energies(const State& old) const;
+    void audit(const State& old);
     double norm(const fem::BlockMatrix& gram, const std::vector<double>& v) const;
-    Energies energies(const State& old, const std::vector<double>& new_u);  ///< fills the inertia, too
-    void audit(const std::vector<double>& load, const State& old, const std::vector<double>& new_u);
 
     const parallel::Team* team_;
     int dimension_;
-    double step_;
     std::optional<double> density_;  ///< rho, where it is uniform
     std::optional<fem::BlockMatrix> mass_, damping_, stiffness_, coupling_;
     fem::BlockMatrix strain_gram_;
     std::optional<fem::BlockMatrix> velocity_gram_;  ///< without uniform density
     model::Loads loads_;
-    std::vector<double> trial_, old_displacement_;  ///< w_n and u_{n-1}, which the contact forms read
+
+    // of the step at hand
+    StepRule rule_{};
+    const std::vector<double>* load_ = nullptr;
+    std::vector<double> stage_velocity_, base_displacement_;  ///< w_s and u_hat, which the contact forms read
+    std::vector<double> stage_displacement_, base_velocity_;
+    std::vector<double> new_displacement_, new_velocity_;  ///< at the end of the step
     std::unique_ptr<Balance> balance_;
-    Products old_, now_;                     ///< of the last state and of the one being computed
+    Products old_, base_, now_;              ///< of the state, of w_hat and u_hat, and of the new state
     std::vector<double> rhs_, deformation_;  ///< the latter: displacement less its mean
-    std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< nodal forces of the step
-    std::vector<double> thermal_;  ///< (theta_{n-1} M, eps(v)), assembled
+    std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< at the stage
+    std::vector<double> thermal_;  ///< (theta M, eps(v)), assembled
+
+    MomentumAudit audit_;
     double audit_seconds_ = 0;
     Record record_;
     double energy_residual_ = 0, force_residual_ = 0;

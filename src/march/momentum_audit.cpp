@@ -49,6 +49,32 @@ MomentumSums sum_up(const MomentumForces& forces, const ConstVectorMap& velocity
                            : sum_over_nodes<3>(forces, velocity.data(), nodes);
 }
 
+void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums& of_forces) {
+    if (duration == 0) {
+        duration = step;
+        energies = of_step;
+        sums = of_forces;
+        return;
+    }
+    energies.kinetic = of_step.kinetic;
+    energies.strain = of_step.strain;
+    energies.kinetic_numerical += of_step.kinetic_numerical;
+    energies.strain_numerical += of_step.strain_numerical;
+    const double before = duration / (duration + step), now = step / (duration + step);
+    for (ForceSums MomentumSums::*force :
+         {&MomentumSums::inertia, &MomentumSums::viscous, &MomentumSums::thermal, &MomentumSums::compliance,
+          &MomentumSums::friction, &MomentumSums::load, &MomentumSums::reaction}) {
+        ForceSums& mean = sums.*force;
+        const ForceSums& last = of_forces.*force;
+        mean.power = before * mean.power + now * last.power;
+        mean.magnitude = before * mean.magnitude + now * last.magnitude;
+        for (std::size_t c = 0; c < mean.resultant.size(); ++c) {
+            mean.resultant[c] = before * mean.resultant[c] + now * last.resultant[c];
+        }
+    }
+    duration += step;
+}
+
 Audit audit_energy(const Energies& energies, const MomentumSums& sums, double step) {
     const auto work = [&](const ForceSums& force) { return step * force.power; };
     const Record left{{"kinetic_energy", energies.kinetic},

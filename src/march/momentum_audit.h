@@ -10,9 +10,9 @@ namespace thermocontact::march {
 
 /// Nodal forces of the discrete balance [nodes][components]:
 /// inertia + viscous + elastic - thermal + compliance + friction - load = reaction (on prescribed dofs, else
-/// 0).
+/// 0); the elastic force enters the audits through its energy.
 struct MomentumForces {
-    ConstVectorMap inertia, viscous, elastic, thermal, compliance, friction, load, reaction;
+    ConstVectorMap inertia, viscous, thermal, compliance, friction, load, reaction;
 };
 
 /// One force summed over the nodes.
@@ -29,7 +29,7 @@ struct MomentumSums {
 /// Sums of all forces in one pass over the nodes; velocity [nodes][components].
 MomentumSums sum_up(const MomentumForces& forces, const ConstVectorMap& velocity, int components);
 
-/// Energies before and after the step (J), and the parts that the implicit scheme dissipates by itself.
+/// Energies before and after the step (J), and the parts that the scheme dissipates by itself.
 struct Energies {
     double kinetic_old = 0, kinetic = 0, kinetic_numerical = 0;
     double strain_old = 0, strain = 0, strain_numerical = 0;
@@ -41,12 +41,29 @@ struct Audit {
     double residual;
 };
 
-/// KE_n - KE_{n-1} + rho/2 |w_n - w_{n-1}|^2 + SE_n - SE_{n-1} + k^2/2 (E eps(w_n), eps(w_n)) + viscous +
-/// compliance
-/// + friction = loads + thermal + reactions, each as work over the step.
+/// KE_n - KE_{n-1} + D(M, w) + SE_n - SE_{n-1} + D(E, u) + viscous + compliance + friction
+///   = loads + thermal + reactions, each as work over the step; powers are those at the stage.
+///
+/// The numerical dissipation D(A, y) of a field y with the form A, KE = A(w, w)/2, SE = A(u, u)/2, is what
+/// the stage's power k A(y_s, r_s) exceeds the change of the energy by (step_rule.h; d = (y_n - y_{n-1})/k):
+///
+///   D = (alpha - 1/2) A(y_n - y_{n-1}, y_n - y_{n-1}) + k (1/lambda - 1) A(y_s, d - q),  lambda = tau/(alpha
+///   k).
+///
+/// Backward Euler: 1/2 A(y_n - y_{n-1}, y_n - y_{n-1}). Midpoint: 0. With 0 < rho < 1 and bdf2 the second
+/// part, an exchange with the energy in the scheme's memory, has either sign in a single step.
 Audit audit_energy(const Energies& energies, const MomentumSums& sums, double step);
 
 /// Per component: inertia + contact = loads + reactions; relative to the nodal magnitudes of these forces.
 Audit audit_forces(const MomentumSums& sums, int components);
+
+/// What the steps since the last row of the history have added up to.
+struct MomentumAudit {
+    double duration = 0;  ///< s
+    Energies energies;    ///< the first old ones, the last new ones, and the sum of what was dissipated
+    MomentumSums sums;    ///< means over the time
+
+    void add(double step, const Energies& of_step, const MomentumSums& of_forces);
+};
 
 }  // namespace thermocontact::march

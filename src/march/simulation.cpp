@@ -13,6 +13,8 @@ namespace thermocontact::march {
 
 namespace {
 
+constexpr int most_coupling_iterations = 50;
+
 parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend) {
     const parallel::Alone alone;
     const parallel::Team& team = backend != nullptr ? backend->team() : alone;
@@ -44,25 +46,38 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
       part_(make_part(scene, backend)),
       graph_(fem::make_node_graph(part_.space)),
       strategy_(choose(scene, graph_, part_, backend)),
-      surfaces_(model::make_contact_surfaces(scene, part_.mesh, part_.space)) {
+      surfaces_(model::make_contact_surfaces(scene, part_.mesh, part_.space)),
+      scheme_(scene.time) {
     const parallel::Phase phase(backend, "assembly");
     initialise();
-    const double k = scene.time.end / scene.time.steps;
     if (scene.material) {
-        momentum_.emplace(scene, part_.mesh, part_.space, graph_, *strategy_, surfaces_, state_, k,
+        momentum_.emplace(scene, part_.mesh, part_.space, graph_, *strategy_, surfaces_, state_,
                           sources.mechanical);
-        factor_seconds_ += momentum_->balance().factor_seconds();
     }
     if (scene.heat) {
-        heat_.emplace(scene, part_.mesh, part_.space, graph_, *strategy_, surfaces_, state_, k,
-                      sources.thermal);
-        factor_seconds_ += heat_->balance().factor_seconds();
+        heat_.emplace(scene, part_.mesh, part_.space, graph_, *strategy_, surfaces_, state_,
+                      momentum_ ? &momentum_->stage_displacement() : nullptr, sources.thermal);
     }
+    prepare();
     const model::ContactState contact{scene.material ? &state_.displacement : &no_motion_,
                                       scene.material ? &state_.velocity : &no_motion_, &state_.temperature};
     for (const auto& surface : surfaces_) {
         probes_.push_back(std::make_unique<model::ContactProbe>(*surface, part_.mesh, part_.space,
                                                                 scene.dimension, contact));
+    }
+}
+
+/// The systems of uniform steps, that of the first one last: what is singular is so before the first step.
+void Simulation::prepare() {
+    const double k = scene_->time.end / scene_->time.steps;
+    for (const double last_step : {k, 0.0}) {
+        const double tau = scheme_.rule(0.0, k, k, last_step).tau;
+        if (momentum_) {
+            momentum_->balance().use(tau);
+        }
+        if (heat_) {
+            heat_->balance().use(tau);
+        }
     }
 }
 
@@ -84,53 +99,152 @@ void Simulation::initialise() {
 }
 
 void Simulation::advance() {
-    const int step = state_.step + 1;
-    const double time = scene_->time.end * step / scene_->time.steps;
-    const State before = state_;
-    SolveReport momentum, heat;
-    try {
-        model::update(surfaces_, part_.space, time);
-        if (momentum_) {
-            momentum = momentum_->advance(time, state_);
+    std::optional<State> before;  // by then nothing has changed: kept only where a part may succeed
+    Subdivision parts;
+    StepCounts counts;
+    while (!parts.done()) {
+        try {
+            take(rule(parts), counts);
+            parts.accept();
+        } catch (const StepFailure& failure) {
+            if (!before) {
+                before = state_;
+            }
+            if (!parts.halve()) {
+                give_up(*before, parts, failure.what());
+            }
+        } catch (const NumericsError& error) {
+            give_up(before ? *before : State(state_), parts, error.what());
         }
-        if (heat_) {
-            heat = heat_->advance(time, state_);
-        }
-    } catch (const NumericsError& error) {
-        restore(before);
-        throw NumericsError("step " + std::to_string(step) + ", t = " + short_text(time) + ": " +
-                            error.what());
     }
-    state_.step = step;
-    state_.time = time;
-    momentum_report_ = momentum;
-    heat_report_ = heat;
-    count_step();
+    ++state_.step;
+    counts.failed_attempts = parts.failures();
+    counts.smallest_step = parts.smallest() * scene_->time.end / scene_->time.steps;
+    count_step(counts);
 }
 
-void Simulation::restore(const State& before) {
+StepRule Simulation::rule(const Subdivision& parts) const {
+    const scene::TimeSpec& time = scene_->time;
+    return scheme_.rule(state_.time, time.end * (state_.step + parts.end()) / time.steps,
+                        time.end / time.steps * parts.length(), state_.last_step);
+}
+
+void Simulation::take(const StepRule& rule, StepCounts& counts) {
+    model::update(surfaces_, part_.space, rule.stage_time());
+    if (momentum_) {
+        momentum_->begin(rule, state_);
+    }
+    if (heat_) {
+        heat_->begin(rule, state_);
+    }
+    solve(counts);
+    if (momentum_) {
+        momentum_->accept(state_, scheme_.carries_rates());
+    }
+    if (heat_) {
+        heat_->accept(state_, scheme_.carries_rates());
+    }
+    state_.time = rule.end;
+    state_.last_step = scheme_.carries_rates() ? rule.step : 0;
+    if (rule.stage_time() != rule.end) {
+        model::update(surfaces_, part_.space, rule.end);
+    }
+    ++counts.parts;
+}
+
+/// Momentum takes the temperature that is known before the step, heat the displacement: of the last state in
+/// the paper's scheme; in those of second order the expected temperature and the displacement just computed.
+void Simulation::solve(StepCounts& counts) {
+    if (momentum_ && heat_ && scene_->time.coupling_tolerance) {
+        solve_coupled(counts);
+        return;
+    }
+    if (momentum_) {
+        counts.momentum.add(momentum_->solve(heat_ ? heat_->expected_temperature() : no_heat_));
+    }
+    if (heat_) {
+        const bool just_computed = momentum_ && scheme_.carries_rates();
+        counts.heat.add(heat_->solve(just_computed ? momentum_->stage_displacement() : state_.displacement));
+    }
+}
+
+/// Both balances in turn, each with what the other has just computed, until the temperature at the stage no
+/// longer changes.
+void Simulation::solve_coupled(StepCounts& counts) {
+    const double tolerance = *scene_->time.coupling_tolerance;
+    std::vector<double> temperature = heat_->expected_temperature();
+    for (int iteration = 0; iteration < most_coupling_iterations; ++iteration) {
+        counts.momentum.add(momentum_->solve(temperature));
+        counts.heat.add(heat_->solve(momentum_->stage_displacement()));
+        const std::vector<double>& next = heat_->stage_temperature();
+        double change[2] = {0, 0};  // of the largest temperature, and that itself
+        for (std::size_t i = 0; i < next.size(); ++i) {
+            change[0] = std::max(change[0], std::abs(next[i] - temperature[i]));
+            change[1] = std::max(change[1], std::abs(next[i]));
+        }
+        team().max(change);
+        if (change[0] <= tolerance * change[1]) {
+            return;
+        }
+        temperature = next;
+    }
+    throw StepFailure("momentum and heat balance: the coupling did not converge in " +
+                      std::to_string(most_coupling_iterations) + " iterations");
+}
+
+void Simulation::give_up(const State& before, const Subdivision& parts, const std::string& reason) {
     state_ = before;
     if (momentum_) {
         momentum_->restart(state_);
+        momentum_->drop_audit();
     }
-    model::update(surfaces_, part_.space, before.time);
+    if (heat_) {
+        heat_->restart(state_);
+        heat_->drop_audit();
+    }
+    model::update(surfaces_, part_.space, state_.time);
+    const int step = state_.step + 1;
+    std::string tried;
+    if (parts.failures() > 0) {
+        tried = "; tried " + std::to_string(parts.failures()) + " times, down to 1/" +
+                std::to_string(static_cast<int>(1 / parts.smallest())) + " of the step" +
+                "; try more time.steps, a larger friction.regularisation, or more solver.max_iterations";
+    }
+    throw NumericsError("step " + std::to_string(step) + ", t = " +
+                        short_text(scene_->time.end * step / scene_->time.steps) + ": " + reason + tried);
 }
 
-void Simulation::count_step() {
+void Simulation::count_step(const StepCounts& counts) {
+    last_ = counts;
     balances_.clear();
     if (momentum_) {
+        momentum_->close_audit(state_);
         balances_.insert(balances_.end(), momentum_->record().begin(), momentum_->record().end());
         totals_.energy_residual = std::max(totals_.energy_residual, momentum_->energy_residual());
         totals_.force_residual = std::max(totals_.force_residual, momentum_->force_residual());
     }
     if (heat_) {
+        heat_->close_audit(state_);
         balances_.insert(balances_.end(), heat_->record().begin(), heat_->record().end());
         totals_.heat_residual = std::max(totals_.heat_residual, heat_->heat_residual());
     }
-    const int iterations = momentum_report_.iterations + heat_report_.iterations;
+    const int iterations = counts.momentum.iterations + counts.heat.iterations;
     totals_.iterations += iterations;
     totals_.max_iterations_in_a_step = std::max(totals_.max_iterations_in_a_step, iterations);
-    totals_.retries += momentum_report_.retries + heat_report_.retries;
+    totals_.retries += counts.momentum.retries + counts.heat.retries;
+    totals_.failed_attempts += counts.failed_attempts;
+    if (counts.parts > 1) {
+        ++totals_.divided_steps;
+        totals_.parts += counts.parts;
+    }
+    totals_.smallest_step = totals_.smallest_step == 0
+                                ? counts.smallest_step
+                                : std::min(totals_.smallest_step, counts.smallest_step);
+}
+
+double Simulation::factor_seconds() const {
+    return (momentum_ ? momentum_->balance().factor_seconds() : 0) +
+           (heat_ ? heat_->balance().factor_seconds() : 0);
 }
 
 StepSeconds Simulation::step_seconds() const {
@@ -171,9 +285,11 @@ Record Simulation::norms() const {
 Record Simulation::record() {
     Record row{{"step", state_.step},
                {"time", state_.time},
-               {"newton_iterations", momentum_report_.iterations},
-               {"heat_iterations", heat_report_.iterations},
-               {"retries", momentum_report_.retries + heat_report_.retries}};
+               {"newton_iterations", last_.momentum.iterations},
+               {"heat_iterations", last_.heat.iterations},
+               {"retries", last_.momentum.retries + last_.heat.retries},
+               {"failed_attempts", last_.failed_attempts},
+               {"substeps", last_.parts}};
     row.insert(row.end(), balances_.begin(), balances_.end());
     if (!surfaces_.empty()) {
         double area = 0, closed = 0, slipping = 0, deepest = 0;

@@ -1,4 +1,8 @@
 /// A scene being marched through time, one step at a time.
+///
+/// Recovery: a step that Newton's method with its line search does not solve is solved by continuation in the
+/// regularisation (Balance); where that fails too, it is taken in smaller steps (Subdivision); where even the
+/// smallest fails, the state before the step is restored and the run ends with what was tried.
 #pragma once
 
 #include <map>
@@ -8,6 +12,8 @@
 
 #include "march/heat.h"
 #include "march/momentum.h"
+#include "march/step_rule.h"
+#include "march/subdivision.h"
 #include "model/contact_measures.h"
 #include "parallel/backend.h"
 
@@ -17,7 +23,11 @@ namespace thermocontact::march {
 struct Totals {
     int iterations = 0;
     int max_iterations_in_a_step = 0;
-    int retries = 0;
+    int retries = 0;           ///< solves of a balance beyond the first: continuation
+    int divided_steps = 0;     ///< steps that were taken in parts
+    int parts = 0;             ///< those parts
+    int failed_attempts = 0;   ///< steps and parts that failed before
+    double smallest_step = 0;  ///< accepted or failed, s; 0: none yet
     double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
 };
 
@@ -28,7 +38,8 @@ class Simulation {
     explicit Simulation(const scene::Scene& scene, const model::Sources& sources = {},
                         const parallel::Backend* backend = nullptr);
 
-    /// One step of the scheme. The state changes only if the step succeeds; throws NumericsError otherwise.
+    /// One step of the scene, in parts where it fails as a whole. The state changes only if the step
+    /// succeeds; throws NumericsError otherwise.
     void advance();
 
     bool finished() const { return state_.step == scene_->time.steps; }
@@ -46,8 +57,8 @@ class Simulation {
     model::ContactProbe& probe(std::size_t surface) { return *probes_[surface]; }
     const Totals& totals() const { return totals_; }
 
-    /// Seconds spent in factorisation during construction.
-    double factor_seconds() const { return factor_seconds_; }
+    /// Seconds spent in factorisation so far.
+    double factor_seconds() const;
 
     /// Where the time of the steps went.
     StepSeconds step_seconds() const;
@@ -74,24 +85,37 @@ class Simulation {
     Record norms() const;
 
   private:
+    /// What happened in the last step.
+    struct StepCounts {
+        SolveReport momentum, heat;
+        int parts = 0, failed_attempts = 0;
+        double smallest_step = 0;  ///< s
+    };
+
     void initialise();
-    void restore(const State& before);
-    void count_step();
+    void prepare();
+    StepRule rule(const Subdivision& parts) const;
+    void take(const StepRule& rule, StepCounts& counts);
+    void solve(StepCounts& counts);
+    void solve_coupled(StepCounts& counts);
+    void give_up(const State& before, const Subdivision& parts, const std::string& reason);
+    void count_step(const StepCounts& counts);
 
     const scene::Scene* scene_;
     parallel::Part part_;
     fem::NodeGraph graph_;
     std::unique_ptr<solve::Strategy> strategy_;
     model::ContactSurfaces surfaces_;
+    Scheme scheme_;
     State state_;
     std::vector<double> no_motion_;  ///< displacement and velocity of a scene without mechanics
+    std::vector<double> no_heat_;    ///< temperature of a scene without heat: none
     std::optional<Momentum> momentum_;
     std::optional<Heat> heat_;
     std::vector<std::unique_ptr<model::ContactProbe>> probes_;
-    SolveReport momentum_report_, heat_report_;
+    StepCounts last_;
     Record balances_;  ///< of the last step that succeeded
     Totals totals_;
-    double factor_seconds_ = 0;
 };
 
 }  // namespace thermocontact::march

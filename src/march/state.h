@@ -14,12 +14,22 @@ struct State {
     std::vector<double> displacement;  ///< u, m
     std::vector<double> velocity;      ///< w, m/s
     std::vector<double> temperature;   ///< theta, K
+
+    /// The rates that the next step begins with (step_rule.h), of the three fields; empty where the scheme
+    /// takes none, and before the first step.
+    double last_step = 0;  ///< size of the step that left them, s; 0: there are none
+    std::vector<double> displacement_rate, velocity_rate, temperature_rate;
 };
 
 /// How a nonlinear solve went.
 struct SolveReport {
     int iterations = 0;
     int retries = 0;  ///< solves beyond the first
+
+    void add(const SolveReport& other) {
+        iterations += other.iterations;
+        retries += other.retries;
+    }
 };
 
 /// Where the time of the steps went, s.

@@ -28,6 +28,13 @@ void FacetTerm::restrict_to(const std::vector<std::int32_t>& dofs) {
     }
 }
 
+void FacetTerm::set_step(double k) {
+    for (Law& law : laws_) {
+        law.residual->set_constant("k", k);
+        law.jacobian->set_constant("k", k);
+    }
+}
+
 void FacetTerm::raise_regularisation(double floor) {
     for (Law& law : laws_) {
         if (law.regularisation > 0) {

@@ -24,6 +24,9 @@ class FacetTerm : public solve::NonlinearTerm {
     /// Names the dofs that are unknowns of the condensed problem, in its order.
     void restrict_to(const std::vector<std::int32_t>& dofs);
 
+    /// Sets k in the displacement u_old + k w of the laws (s).
+    void set_step(double k);
+
     /// Raises the friction regularisation of every law to at least `floor` (m/s); 0 restores the scene's own.
     void raise_regularisation(double floor);
 

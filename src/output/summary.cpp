@@ -77,6 +77,11 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     result["newton"] = {{"iterations", totals.iterations},
                         {"max_iterations_in_a_step", totals.max_iterations_in_a_step},
                         {"retries", totals.retries}};
+    result["recovery"] = {{"continuation_solves", totals.retries},
+                          {"failed_attempts", totals.failed_attempts},
+                          {"divided_steps", totals.divided_steps},
+                          {"substeps_of_these", totals.parts},
+                          {"smallest_step", totals.smallest_step}};
     result["audit"] = {
         {"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
     const march::StepSeconds parts = simulation.step_seconds();

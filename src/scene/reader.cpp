@@ -1,6 +1,7 @@
 #include "scene/reader.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "scene/document.h"
@@ -103,7 +104,17 @@ MeshSpec read_mesh(const Settings& s) {
 TimeSpec read_time(const Settings& s) {
     const double end = number(s, "time.end");
     const int steps = s.has("time.steps") ? integer(s, "time.steps") : steps_of(end, number(s, "time.step"));
-    return {end, steps, text(s, "time.scheme")};
+    TimeSpec time{end, steps, text(s, "time.scheme")};
+    static const std::map<std::string, double> radii{{"bdf2", 0.0}, {"midpoint", 1.0}};
+    if (const auto radius = radii.find(time.scheme); radius != radii.end()) {
+        time.spectral_radius = radius->second;
+    } else if (s.has("time.spectral_radius")) {
+        time.spectral_radius = number(s, "time.spectral_radius");
+    }
+    if (s.has("time.coupling_tolerance")) {
+        time.coupling_tolerance = number(s, "time.coupling_tolerance");
+    }
+    return time;
 }
 
 /// The laws that are written below `at` ("" or "region.NAME.") over those of `material`.
@@ -201,6 +212,15 @@ void drop_meaningless(Settings& s) {
     };
     if (s.body.dimension == 3) {
         drop("material.elasticity.plane");
+    }
+    if (text(s, "time.scheme") != "generalized-alpha") {
+        drop("time.spectral_radius");
+    }
+    if (!s.written("material") || !s.written("heat")) {
+        drop("time.coupling");
+    }
+    if (!s.has("time.coupling") || text(s, "time.coupling") == "lagged") {
+        drop("time.coupling_tolerance");
     }
     if (s.has("mesh.cell") && (s.body.dimension == 3 || text(s, "mesh.cell") == "tensor")) {
         drop("mesh.diagonal");

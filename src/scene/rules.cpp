@@ -63,7 +63,17 @@ void check_mesh(const Settings& settings) {
     }
 }
 
+/// A key that is written has to have the choice that it is about.
+void check_choice(const Settings& settings, const std::string& name, const std::string& key,
+                  const std::string& choice) {
+    if (settings.written(name) && settings.value(key) != choice) {
+        fail_at(settings, name, "needs " + key + " = \"" + choice + "\", found " + show(settings.value(key)));
+    }
+}
+
 void check_time(const Settings& settings) {
+    check_choice(settings, "time.spectral_radius", "time.scheme", "generalized-alpha");
+    check_choice(settings, "time.coupling_tolerance", "time.coupling", "iterated");
     const Setting* step = settings.find("time.step");
     if (step == nullptr) {
         return;

@@ -33,7 +33,9 @@ struct MeshSpec {
 struct TimeSpec {
     double end;          ///< s
     int steps;           ///< number of uniform steps
-    std::string scheme;  ///< "backward-euler"
+    std::string scheme;  ///< "backward-euler" | "bdf2" | "midpoint" | "generalized-alpha"
+    std::optional<double> spectral_radius = {};     ///< of a second-order scheme; empty: backward Euler
+    std::optional<double> coupling_tolerance = {};  ///< of the iterated coupling, relative; empty: lagged
 };
 
 /// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s]; s

@@ -56,9 +56,22 @@ std::vector<Key> general_keys() {
         {.name = "time.step", .type = Type::number, .unit = "s", .range = positive, .required = true,
          .instead = "time.steps", .example = "0.125",
          .description = "Length of a time step; it must divide the end time."},
-        {.name = "time.scheme", .type = Type::choice, .choices = {"backward-euler"},
-         .fallback = R"("backward-euler")", .example = R"("backward-euler")",
-         .description = "Time integration scheme."},
+        {.name = "time.scheme", .type = Type::choice,
+         .choices = {"backward-euler", "bdf2", "midpoint", "generalized-alpha"},
+         .fallback = R"("backward-euler")", .example = R"("generalized-alpha")",
+         .description = "Time integration scheme; all but backward-euler, the paper's, are of second order."},
+        {.name = "time.spectral_radius", .type = Type::number, .range = from_to(0, 1), .fallback = "0.5",
+         .needs = {"time.scheme"}, .example = "0.8",
+         .description = "Of generalized-alpha at infinite frequency: 0 damps fast motions at once (as bdf2), 1 "
+         "never (as midpoint)."},
+        {.name = "time.coupling", .type = Type::choice, .choices = {"lagged", "iterated"},
+         .fallback = R"("lagged")", .needs = {"material", "heat"}, .example = R"("iterated")",
+         .description = "Momentum and heat balance: once each with what is known of the other field before the "
+         "step, or in turn until the temperature no longer changes."},
+        {.name = "time.coupling_tolerance", .type = Type::number,
+         .range = {.low = 0, .high = 1e-1, .low_open = true}, .fallback = "1e-10", .needs = {"time.coupling"},
+         .example = "1e-6",
+         .description = "Relative change of the temperature at which iterated coupling has converged."},
     };
 }
 

@@ -15,8 +15,8 @@ struct OwnedForces {
 
     operator MomentumForces() const {
         const auto view = [](const Eigen::VectorXd& v) { return ConstVectorMap(v.data(), v.size()); };
-        return {view(inertia),    view(viscous),  view(elastic), view(thermal),
-                view(compliance), view(friction), view(load),    view(reaction)};
+        return {view(inertia),  view(viscous), view(thermal), view(compliance),
+                view(friction), view(load),    view(reaction)};
     }
 };
 

@@ -12,10 +12,13 @@ from manufactured_parts.cases import CASES
 from manufactured_parts.scenes import CELLS, Cell, Resolution, scene
 
 SCHEMES = {
-    "backward-euler": 1
+    "backward-euler": 1,
+    "bdf2": 2,
+    "midpoint": 2,
+    "generalized-alpha": 2,
 }  # all choices of time.scheme, and the order that theory gives each, in every norm
 IN_SPACE_SCHEME = "backward-euler"  # exact for the solutions of that study
-IN_TIME_STEPS = (16, 32, 64, 128)
+IN_TIME_STEPS = (32, 64, 128, 256)
 TOLERANCE = 0.1  # of an order
 
 L2_NORMS = ("displacement", "velocity", "temperature")

@@ -87,6 +87,13 @@ FACTORS: Mapping[str, Mapping[str, Flat]] = {
         },
     },
     "initial": {"given": {}, "rest": {"initial": ABSENT}},
+    "scheme": {
+        "backward Euler": {},
+        "bdf2": {"time.scheme": "bdf2"},
+        "midpoint": {"time.scheme": "midpoint"},
+        "generalized-alpha": {"time.scheme": "generalized-alpha"},
+    },
+    "coupling": {"lagged": {}, "iterated": {"time.coupling": "iterated"}},
     "degree": {"1": {}, "2": {"space.degree": 2}},
     "diagonal": {
         "right": {},

@@ -37,7 +37,40 @@ def _mesh_and_time() -> dict[str, list[Variation]]:
         "time.end": vary(CONTACT, "time.end", 0.45),
         "time.steps": vary(CONTACT, "time.steps", 1, 5),
         "time.step": vary(CONTACT, "time.step", 0.06, beside={"time.steps": ABSENT}),
-        "time.scheme": vary(CONTACT, "time.scheme", "backward-euler", same=DEFAULT),
+        **_schemes(),
+    }
+
+
+def _schemes() -> dict[str, list[Variation]]:
+    scheme, radius = "time.scheme", "time.spectral_radius"
+    coupling, tolerance = "time.coupling", "time.coupling_tolerance"
+    alpha, iterated = {scheme: "generalized-alpha"}, {coupling: "iterated"}
+    second_order = ("bdf2", "midpoint", "generalized-alpha")
+    return {
+        scheme: [
+            *vary(CONTACT, scheme, "backward-euler", same=DEFAULT),
+            *vary(CONTACT, scheme, *second_order),
+            *vary("contact without heat", scheme, *second_order),
+            *vary("contact without mechanics", scheme, *second_order),
+            *vary("coupled", scheme, "bdf2", beside=iterated),
+            *vary("contact left", scheme, "generalized-alpha", beside={"space.degree": 2}),
+            *vary(
+                CONTACT,
+                scheme,
+                "generalized-alpha",
+                beside={"material.density": ABSENT, "initial.velocity": ABSENT},
+            ),
+            *vary(CONTACT, scheme, "bdf2", beside={"heat.capacity": ABSENT}),
+        ],
+        radius: vary(CONTACT, radius, 0.0, 0.8, 1.0, beside=alpha) + vary("heat", radius, 0.25, beside=alpha),
+        coupling: [
+            *vary(CONTACT, coupling, "lagged", same=DEFAULT),
+            *vary(CONTACT, coupling, "iterated"),
+            *vary("coupled", coupling, "iterated"),
+            *vary(CONTACT, coupling, "iterated", beside={scheme: "midpoint"}),
+            *vary(CONTACT, coupling, "iterated", beside={"heat.strain_heating": ABSENT}),
+        ],
+        tolerance: vary(CONTACT, tolerance, 1e-2, 1e-6, beside=iterated),
     }
 
 

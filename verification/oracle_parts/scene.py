@@ -11,6 +11,7 @@ import numpy.typing as npt
 from oracle_parts.errors import SceneError
 from oracle_parts.expressions import Expression
 from oracle_parts.tables import Table, count, expression, list_of, load_toml, number, one_of, positive
+from oracle_parts.time_steps import RADII
 
 Matrix = npt.NDArray[np.float64]
 SHAPES = {"rectangle": 2, "box": 3}
@@ -105,6 +106,8 @@ class Scene:
     degree: int
     end: float
     steps: int
+    radius: float | None  # spectral radius of the scheme; None: backward Euler
+    coupling_tolerance: float | None  # None: lagged
     material: Material | None
     heat: Heat | None
     regions: dict[str, tuple[Material | None, Heat | None]]  # those that differ from the two above
@@ -140,7 +143,7 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
     regions = _regions(root.defaulted("region"), material, heat, dimension)
     if material is None and heat is None:
         raise SceneError("a scene needs [material], [heat] or both")
-    time.take("scheme", one_of("backward-euler"), "backward-euler")
+    radius, coupling_tolerance = _scheme(time), _coupling(time)
     solver.take("strategy", one_of("auto", "condensed", "newton-krylov"), "auto")
     if "velocity" in initial and (material is None or material.density is None):
         raise SceneError("initial.velocity needs material.density: a quasi-static scene has no inertia")
@@ -153,6 +156,8 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         degree=space.take("degree", one_of(1, 2), 1),
         end=end,
         steps=_steps(time, end),
+        radius=radius,
+        coupling_tolerance=coupling_tolerance,
         material=material,
         heat=heat,
         regions=regions,
@@ -210,6 +215,20 @@ def _steps(time: Table, end: float) -> int:
     if steps < 1 or abs(steps * step - end) > 1e-12 * end:
         raise SceneError("time.step must divide time.end")
     return steps
+
+
+def _scheme(time: Table) -> float | None:
+    """The spectral radius at infinite frequency, or None for backward Euler."""
+    scheme = time.take("scheme", one_of(*RADII, "generalized-alpha"), "backward-euler")
+    if scheme == "generalized-alpha":
+        return time.take("spectral_radius", number, 0.5)
+    return RADII[scheme]
+
+
+def _coupling(time: Table) -> float | None:
+    if time.take("coupling", one_of("lagged", "iterated"), "lagged") == "lagged":
+        return None
+    return time.take("coupling_tolerance", positive, 1e-10)
 
 
 def _fields(output: Table, scene: Scene) -> list[str]:

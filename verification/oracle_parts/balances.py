@@ -1,0 +1,233 @@
+"""The two balances of a step, their linear parts assembled once for each tau."""
+
+from collections.abc import Callable
+from typing import Any
+
+import ufl
+from dolfinx import fem
+
+from oracle_parts.domain import Loads, Nodal, Prescribed
+from oracle_parts.newton import StepEquation, Term
+from oracle_parts.portability import petsc_vector
+from oracle_parts.problem import Piece, Problem, apply_voigt, assembled_matrix, strain
+from oracle_parts.time_steps import Evolution, Step
+
+
+class Equations:
+    """The equation of one balance for each tau in use."""
+
+    def __init__(self, tau: Any, make: Callable[[], StepEquation]) -> None:
+        self.tau, self.make = tau, make
+        self.made: dict[float, StepEquation] = {}
+
+    def of(self, step: Step) -> StepEquation:
+        self.tau.value = step.tau
+        if step.tau not in self.made:
+            self.made[step.tau] = self.make()
+        return self.made[step.tau]
+
+    @property
+    def solver_seconds(self) -> float:
+        return sum(equation.solver_seconds for equation in self.made.values())
+
+
+class Momentum:
+    """Finds w_s, then moves u and w on."""
+
+    def __init__(self, problem: Problem) -> None:
+        scene, tau = problem.scene, problem.tau
+        material, heat = scene.material, scene.heat
+        assert material is not None and problem.u is not None and problem.w is not None
+        self.u, self.w = Evolution(problem.u), Evolution(problem.w)
+        self.stage_u, self.stage_w = problem.stage_u, fem.Function(problem.V)
+        self.base_u, self.base_w = fem.Function(problem.V), fem.Function(problem.V)
+        self.u_vector, self.w_vector = petsc_vector(problem.u), petsc_vector(problem.w)
+        self.base_u_vector, self.base_w_vector = petsc_vector(self.base_u), petsc_vector(self.base_w)
+        self.keeps_rates = scene.radius is not None
+        trial, v = ufl.TrialFunction(problem.V), ufl.TestFunction(problem.V)
+
+        # The linear part, and the matrices that carry the previous step to the right-hand side
+        dot, dx = ufl.inner, problem.dx
+        self.mass = assembled_matrix(dot(trial, v) * dx)
+        self.strain_product = assembled_matrix(dot(strain(trial), strain(v)) * dx)
+        linear = 0
+        self.inertia: Any = None
+        if material.density is not None:
+            inertia = problem.sum(lambda law, part: law(part.material.density) * dot(trial, v))
+            self.inertia = assembled_matrix(inertia)
+            linear += (1 / tau) * inertia
+        if material.viscosity:
+            linear += self._stress_form(problem, "viscosity", trial, v)
+        self.stiffness: Any = None
+        if material.elasticity:
+            elastic = self._stress_form(problem, "elasticity", trial, v)
+            self.stiffness = assembled_matrix(elastic)
+            linear += tau * elastic
+        self.thermal: Any = None
+        if heat and heat.thermal_stress is not None:
+            theta_trial = ufl.TrialFunction(problem.Q)
+            coupling = problem.sum(
+                lambda law, part: theta_trial * dot(law(part.heat.thermal_stress), strain(v))
+            )
+            self.thermal = assembled_matrix(coupling)
+            self.coupling_theta = fem.Function(problem.Q)
+            self.coupling_vector = petsc_vector(self.coupling_theta)
+
+        # Loads f0, f1 and prescribed displacements
+        self.loads = Loads(fem.form(dot(problem.constant(scene.dimension * [0.0]), v) * dx))
+        if scene.body_force:
+            f0 = Nodal(problem.V, scene, scene.body_force)
+            self.loads.add(f0, fem.form(dot(f0.function, v) * dx))
+        self.prescribed = Prescribed(problem.V, scene)
+        for name, boundary in scene.boundaries.items():
+            side = problem.sides[name]
+            if boundary.traction:
+                f1 = Nodal(problem.V, scene, boundary.traction, side)
+                self.loads.add(f1, fem.form(dot(f1.function, v) * side.ds()))
+            for component, value in enumerate(boundary.displacement or []):
+                if value is not None:
+                    self.prescribed.add(side, component, value)
+
+        # The contact terms, implicit in u_s = u_b + tau w_s
+        moved = self.base_u + tau * self.stage_w
+        terms = [term for side in problem.contacts if (term := side.momentum_term(moved, self.stage_w))]
+        self.equations = Equations(
+            tau,
+            lambda: StepEquation(
+                "momentum balance",
+                assembled_matrix(linear),
+                assembled_matrix(linear, self.prescribed.bcs),
+                self.prescribed.bcs,
+                self.prescribed.dofs,
+                self.stage_w,
+                terms,
+                nonlinear=bool(terms),
+                tolerances=problem.tolerances,
+            ),
+        )
+
+    @staticmethod
+    def _stress_form(problem: Problem, law: str, trial: Any, v: Any) -> Any:
+        def stress_power(constant: Callable[[Any], Any], part: Piece) -> Any:
+            voigt = constant(getattr(part.material, law).voigt)
+            return ufl.inner(apply_voigt(voigt, strain(trial)), strain(v))
+
+        return problem.sum(stress_power)
+
+    def begin(self, step: Step) -> None:
+        self.base_u.x.array[:] = self.u.base(step)
+        self.base_w.x.array[:] = self.w.base(step)
+        self.stage_w.x.array[:] = self.w.expected(step)
+        base = self.base_u.x.array
+        self.prescribed.apply(
+            self.stage_w,
+            step.end,
+            lambda value, dofs: (self.u.at_stage(step, value, dofs) - base[dofs]) / step.tau,
+        )
+
+    def solve(self, step: Step, theta: Any) -> int:
+        b = self.loads.at(step.stage)
+        if self.inertia:
+            b.axpy(1.0 / step.tau, self.inertia * self.base_w_vector)
+        if self.stiffness:
+            b.axpy(-1.0, self.stiffness * self.base_u_vector)
+        if self.thermal:
+            self.coupling_theta.x.array[:] = theta
+            b.axpy(1.0, self.thermal * self.coupling_vector)
+        iterations = self.equations.of(step).solve(b)
+        self.stage_u.x.array[:] = self.base_u.x.array + step.tau * self.stage_w.x.array
+        return iterations
+
+    def move(self, step: Step) -> None:
+        self.u.move(step, self.stage_u.x.array, self.keeps_rates)
+        self.w.move(step, self.stage_w.x.array, self.keeps_rates)
+
+
+class HeatBalance:
+    """Finds theta_s, with u_s in the conductance, then moves theta on."""
+
+    def __init__(self, problem: Problem) -> None:
+        scene, tau = problem.scene, problem.tau
+        heat = scene.heat
+        assert heat is not None and problem.theta is not None
+        self.theta, self.theta_vector = Evolution(problem.theta), petsc_vector(problem.theta)
+        self.stage_theta, self.base_theta = fem.Function(problem.Q), fem.Function(problem.Q)
+        self.base_vector = petsc_vector(self.base_theta)
+        self.keeps_rates = scene.radius is not None
+        trial, eta = ufl.TrialFunction(problem.Q), ufl.TestFunction(problem.Q)
+
+        dx = problem.dx
+        self.mass = assembled_matrix(trial * eta * dx)
+        linear = 0
+        self.capacity: Any = None
+        if heat.capacity is not None:
+            capacity = problem.sum(lambda law, part: law(part.heat.capacity) * trial * eta)
+            self.capacity = assembled_matrix(capacity)
+            linear += (1 / tau) * capacity
+        if heat.conductivity is not None:
+            linear += problem.sum(
+                lambda law, part: ufl.inner(law(part.heat.conductivity) * ufl.grad(trial), ufl.grad(eta))
+            )
+        self.strain_heating: Any = None
+        if heat.strain_heating is not None:
+            u_trial = ufl.TrialFunction(problem.V)
+            coupling = problem.sum(
+                lambda law, part: ufl.inner(law(part.heat.strain_heating), strain(u_trial)) * eta
+            )
+            self.strain_heating = assembled_matrix(coupling)
+            self.coupling_u = fem.Function(problem.V)
+            self.coupling_vector = petsc_vector(self.coupling_u)
+
+        # Sources q0, fluxes q_in and prescribed temperatures
+        self.loads = Loads(fem.form(problem.constant(0.0) * eta * dx))
+        for piece in problem.pieces:
+            if piece.heat and piece.heat.source:
+                q0 = Nodal(problem.Q, scene, [piece.heat.source])
+                self.loads.add(q0, fem.form(q0.function * eta * piece.dx))
+        self.prescribed = Prescribed(problem.Q, scene)
+        for name, boundary in scene.boundaries.items():
+            side = problem.sides[name]
+            if boundary.heat_flux:
+                q_in = Nodal(problem.Q, scene, [boundary.heat_flux], side)
+                self.loads.add(q_in, fem.form(q_in.function * eta * side.ds()))
+            if boundary.temperature:
+                self.prescribed.add(side, 0, boundary.temperature)
+
+        # The contact's conductance; it is nonlinear in theta only where phi_L has a finite limit
+        terms: list[Term] = [
+            term for side in problem.contacts if (term := side.heat_term(problem.stage_u, self.stage_theta))
+        ]
+        laws = [contact.conductance for contact in scene.contacts.values()]
+        self.equations = Equations(
+            tau,
+            lambda: StepEquation(
+                "heat balance",
+                assembled_matrix(linear),
+                assembled_matrix(linear, self.prescribed.bcs),
+                self.prescribed.bcs,
+                self.prescribed.dofs,
+                self.stage_theta,
+                terms,
+                nonlinear=any(law is not None and law.limit is not None for law in laws),
+                tolerances=problem.tolerances,
+            ),
+        )
+
+    def begin(self, step: Step) -> None:
+        self.base_theta.x.array[:] = self.theta.base(step)
+        self.stage_theta.x.array[:] = self.theta.expected(step)
+        self.prescribed.apply(
+            self.stage_theta, step.end, lambda value, dofs: self.theta.at_stage(step, value, dofs)
+        )
+
+    def solve(self, step: Step, u: Any) -> int:
+        b = self.loads.at(step.stage)
+        if self.capacity:
+            b.axpy(1.0 / step.tau, self.capacity * self.base_vector)
+        if self.strain_heating:
+            self.coupling_u.x.array[:] = u
+            b.axpy(1.0, self.strain_heating * self.coupling_vector)
+        return self.equations.of(step).solve(b)
+
+    def move(self, step: Step) -> None:
+        self.theta.move(step, self.stage_theta.x.array, self.keeps_rates)

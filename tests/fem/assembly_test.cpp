@@ -261,6 +261,31 @@ TEST(BlockMatrix, AddsMultiples) {
     EXPECT_EQ(dense(sum), 1.5 * dense(other));
 }
 
+/// Blocks that are multiples of the identity are kept as one number each; others must not be.
+TEST(BlockMatrix, CompressesMultiplesOfTheIdentityOnly) {
+    const mesh::Mesh mesh = mesh::make_rectangle({"rectangle", {0, 0}, {1, 1}, {3, 2}, "crossed"});
+    const Space space = make_space(mesh, 1);
+    const NodeGraph graph = make_node_graph(space);
+    BlockMatrix scaled = zero_matrix(graph, 2, 2);
+    const std::vector<double> factors = support::random_numbers(scaled.values.size() / 4);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        scaled.values[4 * i] = scaled.values[4 * i + 3] = factors[i];
+    }
+    BlockMatrix unequal = scaled, skewed = scaled;
+    unequal.values[3] *= 2;
+    skewed.values[5] = 0.1;
+    for (BlockMatrix* matrix : {&scaled, &unequal, &skewed}) {
+        const BlockMatrix before = *matrix;
+        matrix->compress();
+        EXPECT_EQ(matrix->values.size(), before.values.size() / (matrix == &scaled ? 4 : 1));
+        const auto x = support::random_numbers(static_cast<std::size_t>(graph.node_count() * 2), 2);
+        const Eigen::VectorXd expected = support::as_vector(before.multiply(x));
+        const double tolerance = 100 * std::numeric_limits<double>::epsilon();  // rows of at most 9 blocks
+        EXPECT_LE((support::as_vector(matrix->multiply(x)) - expected).cwiseAbs().maxCoeff(), tolerance);
+        EXPECT_NEAR(matrix->quadratic_form(x), before.quadratic_form(x), tolerance * graph.node_count());
+    }
+}
+
 class Forms : public testing::Test {
   protected:
     const mesh::Mesh mesh = mesh::make_rectangle({"rectangle", {0, 0}, {1, 1}, {1, 1}, "right"});
@@ -292,6 +317,29 @@ TEST_F(Forms, ConstantsCanChange) {
     form.add_cell(0, after);
     for (std::size_t i = 0; i < 9; ++i) {
         EXPECT_DOUBLE_EQ(after[i], 3 * before[i]);
+    }
+}
+
+/// Each region takes its own set, cells of no region the last one; a constant is changed in all of them.
+TEST_F(Forms, RegionsHaveTheirOwnConstants) {
+    mesh::Mesh parts = mesh::make_rectangle({"rectangle", {0, 0}, {2, 1}, {2, 1}, "right"});
+    parts.region_names = {"a", "b"};
+    parts.cell_regions = {0, 1, -1, 0};
+    Form form = Form::by_region(mass, parts, {{{"c", {2.0}}}, {{"c", {3.0}}}, {{"c", {5.0}}}});
+    Form plain(mass, parts, {{"c", {1.0}}});
+    const auto ratio = [&](std::int32_t cell) {
+        std::vector<double> found(9, 0.0), unit(9, 0.0);
+        form.add_cell(cell, found);
+        plain.add_cell(cell, unit);
+        return found[0] / unit[0];
+    };
+    const double expected[] = {2, 3, 5, 2};
+    for (std::int32_t cell = 0; cell < 4; ++cell) {
+        EXPECT_DOUBLE_EQ(ratio(cell), expected[cell]) << cell;
+    }
+    form.set_constant("c", 7.0);
+    for (std::int32_t cell = 0; cell < 4; ++cell) {
+        EXPECT_DOUBLE_EQ(ratio(cell), 7.0) << cell;
     }
 }
 

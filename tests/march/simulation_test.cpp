@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "error.h"
 #include "support/scenes.h"
@@ -438,6 +439,113 @@ TEST(Simulation, CompiledSourcesActAsLoads) {
     }
     EXPECT_GT(value(found.record(), "temperature_l2"), 0.1);
     EXPECT_LE(found.totals().heat_residual, 1e-9);
+}
+
+/// Loose tolerances leave steps unsolved, which every audit must see. What a solve leaves of its residual is
+/// at most the tolerance of the terms' sizes; round-off would be below 1e-12. The totals are those of the
+/// worst step.
+TEST(Simulation, AuditsSeeWhatASolveLeaves) {
+    const scene::Scene scene = repository_scene("paper", {"solver.tolerance=1e-2"});
+    Simulation simulation(scene);
+    std::map<std::string, double> largest;
+    double last = 0;
+    while (!simulation.finished()) {
+        simulation.advance();
+        for (const char* name : {"energy_residual", "force_residual", "heat_residual"}) {
+            last = value(simulation.record(), name);
+            largest[name] = std::max(largest[name], last);
+        }
+    }
+    for (const auto& [name, residual] : largest) {
+        EXPECT_GT(residual, 1e-6) << name;
+        EXPECT_LT(residual, 1e-2) << name;
+        EXPECT_LT(value(simulation.record(), name), residual) << name << ": the last step is not the worst";
+    }
+    EXPECT_EQ(simulation.totals().energy_residual, largest["energy_residual"]);
+    EXPECT_EQ(simulation.totals().force_residual, largest["force_residual"]);
+    EXPECT_EQ(simulation.totals().heat_residual, largest["heat_residual"]);
+}
+
+/// Iterations and retries of the totals are those of the history; the largest of a step is not the last.
+TEST(Simulation, TotalsCountTheHistory) {
+    const scene::Scene scene =
+        repository_scene("paper", {"boundary.bottom.contact.friction.regularisation=1e-12"});
+    Simulation simulation(scene);
+    int iterations = 0, most = 0, last = 0, retries = 0;
+    while (!simulation.finished()) {
+        simulation.advance();
+        const Record record = simulation.record();
+        last = static_cast<int>(value(record, "newton_iterations") + value(record, "heat_iterations"));
+        most = std::max(most, last);
+        iterations += last;
+        retries += static_cast<int>(value(record, "retries"));
+    }
+    EXPECT_EQ(simulation.totals().iterations, iterations);
+    EXPECT_EQ(simulation.totals().max_iterations_in_a_step, most);
+    EXPECT_EQ(simulation.totals().retries, retries);
+    EXPECT_GT(retries, 0) << "continuation was not needed: the case tests nothing";
+    EXPECT_LT(last, most);
+}
+
+/// The terms of the heat balance in the history: storage + outflow = inflow of prescribed sides, loads and
+/// strain. Each is there, and they balance to the audit's 1e-9 of their magnitudes, in a step that is solved.
+TEST(Simulation, HeatTermsBalance) {
+    const scene::Scene scene = repository_scene("anisotropic", {"mesh.cells=[5,4]"});
+    Simulation simulation(scene);
+    const std::map<std::string, double> signs{{"heat_storage_rate", 1},
+                                              {"contact_heat_outflow", 1},
+                                              {"prescribed_temperature_inflow", -1},
+                                              {"load_heat_inflow", -1},
+                                              {"strain_heat_inflow", -1}};
+    std::map<std::string, double> largest;
+    while (!simulation.finished()) {
+        simulation.advance();
+        double sum = 0, scale = 0;
+        for (const auto& [name, sign] : signs) {
+            const double term = value(simulation.record(), name);
+            sum += sign * term;
+            scale += std::abs(term);
+            largest[name] = std::max(largest[name], std::abs(term));
+        }
+        EXPECT_LE(std::abs(sum), 1e-9 * scale) << "step " << simulation.state().step;
+    }
+    for (const auto& [name, term] : largest) {
+        EXPECT_GT(term, 1e-3) << name << " is not in play";
+    }
+    double outflow = 0;
+    for (const auto& [name, measures] : simulation.contact_measures()) {
+        outflow += measures.heat_flow;
+    }
+    EXPECT_NEAR(value(simulation.record(), "contact_heat_outflow"), outflow, 1e-9 * std::abs(outflow));
+}
+
+/// Shares of the history are of the area of all contact boundaries.
+TEST(Simulation, SurfacesCountByTheirArea) {
+    const scene::Scene scene = scene::read(R"(
+mesh = {cells = [4, 4], upper = [4, 1]}
+time = {end = 1, steps = 1}
+material = {density = 1, viscosity = {trace = 1, shear = 1}}
+initial.velocity = [0.5, 0]
+[boundary.bottom.contact]
+gap = "x < 1.5 ? -1e-3 : 1"
+compliance.stiffness = 1e-3
+friction = {coefficient = 0.1, regularisation = 1e-3}
+[boundary.left.contact]
+gap = 1
+compliance.stiffness = 1e-3
+)");
+    Simulation simulation(scene);
+    simulation.advance();
+    const auto measures = simulation.contact_measures();
+    ASSERT_EQ(measures.size(), 2U);
+    const auto& bottom = measures.at("bottom");
+    ASSERT_GT(bottom.contact_fraction, 0.1);
+    ASSERT_GT(bottom.slip_fraction, 0.1);
+    ASSERT_EQ(measures.at("left").contact_fraction, 0.0);
+    EXPECT_DOUBLE_EQ(bottom.area, 4.0);
+    EXPECT_DOUBLE_EQ(value(simulation.record(), "contact_fraction"), bottom.contact_fraction * 4 / 5);
+    EXPECT_DOUBLE_EQ(value(simulation.record(), "slip_fraction"), bottom.slip_fraction * 4 / 5);
+    EXPECT_EQ(value(simulation.record(), "max_penetration"), bottom.max_penetration);
 }
 
 /// The same scene twice gives the same bits: nothing depends on addresses, threads or what ran before.

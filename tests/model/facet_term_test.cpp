@@ -216,6 +216,33 @@ TEST(FacetTerm, RegularisationIsRaisedAndRestored) {
     EXPECT_EQ(bottom.value(bottom.x()), own);
 }
 
+/// Of several surfaces the smallest, in whatever order they come; frictionless ones have none.
+TEST(FacetTerm, SmallestRegularisationOfAllSurfaces) {
+    const auto contact = [](const std::string& side, const std::string& law) {
+        return "[boundary." + side + ".contact]\ncompliance = {stiffness = 1}\n" +
+               (law.empty() ? "" : "friction = {coefficient = 0.1, regularisation = " + law + "}\n");
+    };
+    const std::string body =
+        "mesh.cells = [1, 1]\ntime = {end = 1, steps = 1}\n"
+        "material.viscosity = {trace = 1, shear = 1}\n";
+    const auto smallest = [&](const std::string& text) {
+        support::Discretisation at(body + text);
+        std::vector<double> u(2 * at.node_count(), 0.0), w = u;
+        FacetTerm term(at.space, 2, w);
+        for (const auto& surface : at.surfaces) {
+            const fem::Fields fields{{"w", {&w, 2, &at.space.dofmap}},
+                                     {"u_old", {&u, 2, &at.space.dofmap}},
+                                     {"g", {&surface->gap, 1, &at.space.dofmap}}};
+            term.add(surface->laws.friction ? "friction" : "compliance", at.mesh, *surface,
+                     contact_constants(surface->laws, 1.0), fields);
+        }
+        return term.smallest_regularisation();
+    };
+    EXPECT_EQ(smallest(contact("bottom", "1e-3") + contact("top", "1e-6") + contact("left", "")), 1e-6);
+    EXPECT_EQ(smallest(contact("bottom", "1e-6") + contact("top", "1e-3")), 1e-6);
+    EXPECT_EQ(smallest(contact("bottom", "")), 0.0);
+}
+
 /// nodal_forces() tells the laws apart and together they are the value.
 TEST(FacetTerm, NodalForcesOfEachLaw) {
     Bottom bottom({1e-3, 1.0, 1e-3, 1.0});

@@ -193,6 +193,53 @@ INSTANTIATE_TEST_SUITE_P(Schema, EveryKey, testing::ValuesIn(schema()), [](const
     return name;
 });
 
+/// Units as the equations have them: div sigma = f0 (N/m^3), c dtheta/dt = div(K grad theta) + q0 (W/m^3),
+/// q.n = k_c theta (W/m^2), sigma = E e + V de/dt - theta M (Pa).
+TEST(Schema, UnitsAreThoseOfTheEquations) {
+    const std::map<std::string, std::string> units{
+        {"mesh.lower", "m"},
+        {"mesh.upper", "m"},
+        {"time.end", "s"},
+        {"time.step", "s"},
+        {"material.density", "kg/m^3"},
+        {"material.elasticity.young", "Pa"},
+        {"material.elasticity.tensor", "Pa"},
+        {"material.viscosity.trace", "Pa s"},
+        {"material.viscosity.shear", "Pa s"},
+        {"material.viscosity.tensor", "Pa s"},
+        {"heat.capacity", "J/(m^3 K)"},
+        {"heat.conductivity", "W/(m K)"},
+        {"heat.source", "W/m^3"},
+        {"heat.thermal_stress", "Pa/K"},
+        {"heat.strain_heating", "W/m^3"},
+        {"load.body_force", "N/m^3"},
+        {"initial.displacement", "m"},
+        {"initial.velocity", "m/s"},
+        {"initial.temperature", "K"},
+        {"boundary.NAME.displacement", "m"},
+        {"boundary.NAME.traction", "Pa"},
+        {"boundary.NAME.temperature", "K"},
+        {"boundary.NAME.heat_flux", "W/m^2"},
+        {"boundary.NAME.contact.gap", "m"},
+        {"boundary.NAME.contact.compliance.stiffness", "Pa/m^exponent"},
+        {"boundary.NAME.contact.friction.regularisation", "m/s"},
+        {"boundary.NAME.contact.conductance.coefficient", "W/(m^2 K)"},
+        {"boundary.NAME.contact.conductance.onset", "m"},
+        {"boundary.NAME.contact.conductance.foundation_temperature", "K"},
+        {"boundary.NAME.contact.conductance.limit", "K"}};
+    for (const auto& [name, unit] : units) {
+        ASSERT_NE(find_key(name), nullptr) << name;
+    }
+    const std::string_view region = "region.NAME.";
+    for (const Key& key : schema()) {
+        const auto known =
+            units.find(key.name.starts_with(region) ? key.name.substr(region.size()) : key.name);
+        if (known != units.end()) {
+            EXPECT_EQ(key.unit, known->second) << key.name;
+        }
+    }
+}
+
 TEST(Schema, NamesAreUnique) {
     std::set<std::string> names;
     for (const Key& key : schema()) {

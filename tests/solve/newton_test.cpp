@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "solve/continuation.h"
+#include "solve/line_search.h"
 #include "support/dense.h"
 
 namespace thermocontact::solve {
@@ -181,6 +182,23 @@ TEST(Newton, RecoversAfterAFailure) {
     EXPECT_EQ(newton.solve(identity(2), vector({1, 2}), bad, x).end, NewtonEnd::singular);
     EXPECT_EQ(newton.solve(identity(2), vector({1, 2}), good, x).end, NewtonEnd::converged);
     EXPECT_LE((x - vector({0.5, 1})).norm(), 1e-14);
+}
+
+/// Armijo: the norm must fall by a share of what a straight line would make it fall.
+TEST(LineSearch, AsksForADecreaseInProportionToTheLength) {
+    const auto result_of = [](double share) {  // the residual falls by that share of the length
+        int attempts = 0;
+        const bool found = line::lower_norm(2.0, [&](double length) {
+            ++attempts;
+            return LineResidual{(1 - share * length) * 2.0, 0.0};
+        });
+        return std::pair(found, attempts);
+    };
+    EXPECT_EQ(result_of(1.0), std::pair(true, 1));
+    EXPECT_EQ(result_of(2e-4), std::pair(true, 1));
+    EXPECT_EQ(result_of(0.5e-4), std::pair(false, 20)) << "falls, but too little";
+    EXPECT_EQ(result_of(0.0), std::pair(false, 20));
+    EXPECT_EQ(result_of(-0.5e-4), std::pair(false, 20)) << "rises";
 }
 
 /// Coulomb friction of one unknown: mu x / sqrt(x^2 + eps^2), eps >= floor.

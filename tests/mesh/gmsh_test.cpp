@@ -72,6 +72,26 @@ TEST(Gmsh, QuadrilateralsTakeTheOrderOfBasix) {
     EXPECT_EQ(mesh.cells, (std::vector<std::int32_t>{0, 1, 3, 2}));
 }
 
+TEST(Gmsh, HexahedraTakeTheOrderOfBasix) {
+    Square cube;
+    cube.names = "$PhysicalNames\n1\n3 3 \"body\"\n$EndPhysicalNames\n";
+    cube.nodes =
+        "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n";
+    cube.elements = "$Elements\n1\n1 5 2 3 1 1 2 3 4 5 6 7 8\n$EndElements\n";
+    const Mesh mesh = read(cube.text());
+    EXPECT_EQ(mesh.cell, "hexahedron");
+    EXPECT_EQ(mesh.cells, (std::vector<std::int32_t>{0, 1, 3, 2, 4, 5, 7, 6}));
+}
+
+/// Cells that no group names belong to no region, beside others that do.
+TEST(Gmsh, CellsOfNoGroup) {
+    Square square;
+    square.elements = "$Elements\n2\n3 2 2 3 1 1 2 3\n4 2 2 0 2 1 3 4\n$EndElements\n";
+    const Mesh mesh = read(square.text());
+    EXPECT_EQ(mesh.region_names, std::vector<std::string>{"body"});
+    EXPECT_EQ(mesh.cell_regions, (std::vector<std::int32_t>{0, -1}));
+}
+
 TEST(Gmsh, TheOrderOfASimplexDoesNotMatter) {
     Square square;
     square.elements = "$Elements\n2\n3 2 2 3 1 2 1 3\n4 2 2 3 1 1 3 4\n$EndElements\n";
@@ -124,6 +144,10 @@ TEST(Gmsh, DuplicateNodes) {
     square.elements = "$Elements\n2\n3 2 2 3 1 1 2 3\n4 2 2 3 1 1 5 4\n$EndElements\n";
     expect_message(square.text(),
                    ": nodes 3 and 5 lie at the same place (1, 1, 0); expected one node a place");
+    // nearer than the tolerance, on two sides of x = 0, a border of the grid that they are sought in
+    square.nodes = "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 -1e-11 0 0\n$EndNodes\n";
+    square.elements = "$Elements\n2\n3 2 2 3 1 1 2 3\n4 2 2 3 1 5 3 4\n$EndElements\n";
+    expect_message(square.text(), ": nodes 1 and 5 lie at the same place");
 }
 
 TEST(Gmsh, InvertedCells) {
@@ -147,6 +171,8 @@ TEST(Gmsh, WrongDimension) {
     square = {};
     square.nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0.5\n4 0 1 0\n$EndNodes\n";
     expect_message(square.text(), ": node 3 lies at z = 0.5; expected z = 0");
+    square.nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 -0.5\n4 0 1 0\n$EndNodes\n";
+    expect_message(square.text(), ": node 3 lies at z = -0.5; expected z = 0");
 }
 
 TEST(Gmsh, MixedOrCurvedCells) {

@@ -1,8 +1,9 @@
 /// The expression reader: any bytes as a formula, evaluated where it is accepted.
+#include "scene/expression.h"
+
 #include <cmath>
 
 #include "fuzz/input.h"
-#include "scene/expression.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace thermocontact;

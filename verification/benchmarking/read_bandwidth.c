@@ -17,19 +17,24 @@ static double now(void) {
 static double sum(const double* values, size_t count) {
     double partial[lanes] = {0.0};
     for (size_t i = 0; i + lanes <= count; i += lanes)
-        for (size_t j = 0; j < lanes; ++j) partial[j] += values[i + j];
+        for (size_t j = 0; j < lanes; ++j)
+            partial[j] += values[i + j];
     double total = 0.0;
-    for (size_t j = 0; j < lanes; ++j) total += partial[j];
+    for (size_t j = 0; j < lanes; ++j)
+        total += partial[j];
     return total;
 }
 
 int main(int argc, char** argv) {
-    if (argc != 3) return 2;
+    if (argc != 3)
+        return 2;
     const size_t count = strtoull(argv[1], NULL, 10);
     const int repetitions = atoi(argv[2]);
     double* values = malloc(count * sizeof(double));
-    if (count == 0 || repetitions < 1 || !values) return 1;
-    for (size_t i = 0; i < count; ++i) values[i] = 1e-3 * (double)i;
+    if (count == 0 || repetitions < 1 || !values)
+        return 1;
+    for (size_t i = 0; i < count; ++i)
+        values[i] = 1e-3 * (double)i;
 
     double best = 1e300, check = 0.0;
     for (int repetition = 0; repetition < repetitions; ++repetition) {
@@ -37,7 +42,8 @@ int main(int argc, char** argv) {
         const double begin = now();
         check += sum(values, count);
         const double seconds = now() - begin;
-        if (seconds < best) best = seconds;
+        if (seconds < best)
+            best = seconds;
     }
     printf("%.9g %.17g\n", best, check);
     free(values);

@@ -1,0 +1,35 @@
+#!/bin/sh
+# Form and meaning of the sources; a finding is exit 1. Usage: sh tests/tidy.sh [--since COMMIT | FILE...]
+# Formatting of all files, types of the Python, and clang-tidy on src and verification: on all C++ files, or those that
+# differ from COMMIT (uncommitted ones too), or the named ones. Headers are judged where they are included, and by
+# themselves where they are named or differ. BUILD (default: build) is a configured build folder, JOBS (default: the
+# number of processors) how many files are judged at a time. Half an hour of processor time for all files.
+set -eu
+. "$(dirname "$0")/../.ci/environment.sh"
+build="${BUILD:-build}"
+[ -f "$build/compile_commands.json" ] || { echo "$build: not configured; cmake --preset release" >&2; exit 1; }
+
+sh .ci/packages.sh black clang-tidy mypy
+sh tests/format.sh
+/usr/bin/black --check --quiet forms verification || { /usr/bin/black --check forms verification; exit 1; }
+(cd verification && find . -name '*.py' | xargs /usr/bin/mypy --config-file ../pyproject.toml \
+    --python-executable /usr/bin/python3 --cache-dir "../$build/mypy")
+
+case "${1-}" in
+--since)
+    git diff --name-only --diff-filter=d "${2:?a commit}"
+    git ls-files --others --exclude-standard
+    ;;
+"") find src verification -name '*.cpp' ;;
+*) printf '%s\n' "$@" ;;
+esac | grep -E '^(src|verification)/.*[.](cpp|h)$' | sort -u >"$build/tidy-files" || true
+cmake --build "$build" --target kernels
+
+# One call a file: a finding in one does not hide those of the next. GCC's warning options are unknown to it.
+xargs -r -n 1 -P "${JOBS:-$(nproc)}" clang-tidy -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option \
+    <"$build/tidy-files" >"$build/tidy-findings" 2>"$build/tidy-errors" || {
+    cat "$build/tidy-findings"
+    grep -v 'warnings* .*generated' "$build/tidy-errors" >&2 || true
+    exit 1
+}
+echo "clang-tidy: no finding in $(wc -l <"$build/tidy-files") files"

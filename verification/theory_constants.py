@@ -22,9 +22,9 @@ from dolfinx import fem
 from dolfinx.fem import petsc as fem_petsc
 from mpi4py import MPI
 
-from oracle import Piece, apply_voigt, pieces_of, strain
 from oracle_parts.domain import Prescribed, Side, create_body
 from oracle_parts.portability import lagrange_space
+from oracle_parts.problem import Piece, apply_voigt, pieces_of, strain
 from oracle_parts.scene import Contact, Scene, read_scene
 
 HERE = Path(__file__).resolve().parent

@@ -39,7 +39,8 @@ class Momentum:
         material, heat = scene.material, scene.heat
         assert material is not None and problem.u is not None and problem.w is not None
         self.u, self.w = Evolution(problem.u), Evolution(problem.w)
-        self.stage_u, self.stage_w = problem.stage_u, fem.Function(problem.V)
+        self.stage_u: Any = problem.stage_u
+        self.stage_w = fem.Function(problem.V)
         self.base_u, self.base_w = fem.Function(problem.V), fem.Function(problem.V)
         self.u_vector, self.w_vector = petsc_vector(problem.u), petsc_vector(problem.w)
         self.base_u_vector, self.base_w_vector = petsc_vector(self.base_u), petsc_vector(self.base_w)

@@ -87,6 +87,6 @@ def legend(figure: Any, grid: Any, curves: Sequence[Curve]) -> None:
         handles += axes.plot([], [], color="black", linestyle=DASHES[degree], label=f"degree {degree}")
     handles += axes.plot([], [], label="slope of theory", **THEORY)
     columns = min(len(handles), 2 * len(grid[0]))
-    height = 0.05 * math.ceil(len(handles) / columns)
+    height = 0.1 / len(grid) * math.ceil(len(handles) / columns)
     figure.get_layout_engine().set(rect=(0, height, 1, 1 - height))
     figure.legend(handles=handles, loc="lower center", ncol=columns, fontsize=8)

@@ -26,13 +26,19 @@ def row(curve: Curve) -> str:
 
 
 def summary(curves: Sequence[Curve]) -> str:
-    """A table in Markdown: a row for each cell and what is refined, a column a case; in it the least and the greatest
-    order in L2, then in the energy norms."""
+    """A table in Markdown: a row for each cell and degree in h and for each scheme in k, a column a case; in it the least
+    and the greatest order in L2, then in the energy norms."""
     cases = list(dict.fromkeys(curve.case for curve in curves))
-    rows = dict.fromkeys((curve.cell, refined(curve)) for curve in curves)
+    cells = dict.fromkeys(curve.cell for curve in curves)
+
+    def place(curve: Curve) -> tuple[str, str]:
+        together = curve.study == "time" and len(cells) > 1
+        return "all" if together else curve.cell, refined(curve)
+
+    rows = dict.fromkeys(map(place, curves))
     lines = [["cell", "refined", *cases], ["---"] * (2 + len(cases))]
     for cell, what in rows:
-        own = [curve for curve in curves if (curve.cell, refined(curve)) == (cell, what)]
+        own = [curve for curve in curves if place(curve) == (cell, what)]
         lines.append([cell, what, *(spread([c for c in own if c.case == case]) for case in cases)])
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 

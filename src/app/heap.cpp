@@ -14,14 +14,15 @@ void prepare_heap() {
     mallopt(M_MMAP_THRESHOLD, keep);
     mallopt(M_TRIM_THRESHOLD, keep);
     mallopt(M_TOP_PAD, reserve);
-    const auto begin = reinterpret_cast<std::uintptr_t>(sbrk(0));
+    auto* const begin = static_cast<char*>(sbrk(0));
     auto* volatile first_block = std::malloc(page);  // volatile: else the compiler drops the pair
     std::free(first_block);
-    const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
-    const std::uintptr_t first = (begin + page - 1) / page * page;
-    if (first < end) {
-        madvise(reinterpret_cast<void*>(first), end - first,
-                MADV_HUGEPAGE);  // a hint: without it all works, slower
+    auto* const end = static_cast<char*>(sbrk(0));
+    const std::uintptr_t into_page = reinterpret_cast<std::uintptr_t>(begin) % page;
+    const std::uintptr_t to_first_page = (page - into_page) % page;
+    const auto grown = static_cast<std::uintptr_t>(end - begin);
+    if (to_first_page < grown) {  // a hint: without it all works, slower
+        madvise(begin + to_first_page, grown - to_first_page, MADV_HUGEPAGE);
     }
     mallopt(M_TOP_PAD, page);
 }

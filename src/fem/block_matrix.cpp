@@ -52,6 +52,7 @@ inline void add_transposed(const double* block, const double* x, double* y) {
 
 template <int size>
 void multiply_symmetric(const BlockMatrix& matrix, const double* x, double* y) {
+    constexpr std::ptrdiff_t next = std::ptrdiff_t{size} * size;
     const NodeGraph& graph = *matrix.graph;
     const std::int32_t* column = graph.columns.data();
     const double* block = matrix.values.data();
@@ -60,7 +61,7 @@ void multiply_symmetric(const BlockMatrix& matrix, const double* x, double* y) {
         double here[size], sum[size] = {};
         std::copy_n(x + i * size, size, here);
         add_product<size, size>(block, here, sum);
-        for (++column, block += size * size; column < end; ++column, block += size * size) {
+        for (++column, block += next; column < end; ++column, block += next) {
             const std::ptrdiff_t j = std::ptrdiff_t{*column} * size;
             add_product<size, size>(block, x + j, sum);
             add_transposed<size>(block, here, y + j);
@@ -73,14 +74,15 @@ void multiply_symmetric(const BlockMatrix& matrix, const double* x, double* y) {
 
 template <int rows, int columns>
 void multiply_pairs(const BlockMatrix& matrix, const double* x, double* y) {
+    constexpr std::ptrdiff_t half = std::ptrdiff_t{rows} * columns;
     const NodeGraph& graph = *matrix.graph;
     const double* block = matrix.values.data();
     for (std::ptrdiff_t i = 0; i < graph.node_count(); ++i) {
         for (auto p = graph.offsets[static_cast<std::size_t>(i)];
-             p < graph.offsets[static_cast<std::size_t>(i) + 1]; ++p, block += 2 * rows * columns) {
+             p < graph.offsets[static_cast<std::size_t>(i) + 1]; ++p, block += 2 * half) {
             const std::ptrdiff_t j = graph.columns[static_cast<std::size_t>(p)];
             add_product<rows, columns>(block, x + j * columns, y + i * rows);
-            add_product<rows, columns>(block + rows * columns, x + i * columns,
+            add_product<rows, columns>(block + half, x + i * columns,
                                        y + j * rows);  // zero where i = j
         }
     }
@@ -198,8 +200,8 @@ NodeGraph make_node_graph(const Space& space) {
         std::erase_if(neighbours,
                       [&](std::int32_t other) { return other < static_cast<std::int32_t>(node); });
         std::ranges::sort(neighbours);
-        const auto repeated = std::ranges::unique(neighbours);
-        graph.columns.insert(graph.columns.end(), neighbours.begin(), repeated.begin());
+        const auto repeated = std::unique(neighbours.begin(), neighbours.end());
+        graph.columns.insert(graph.columns.end(), neighbours.begin(), repeated);
         graph.offsets.push_back(static_cast<std::int32_t>(graph.columns.size()));
     }
     for (std::int32_t cell = 0; cell < space.cellwise.node_count; ++cell) {

@@ -128,8 +128,8 @@ std::vector<std::int32_t> Space::boundary_nodes(const mesh::Mesh& mesh, std::int
         }
     }
     std::ranges::sort(result);
-    const auto repeated = std::ranges::unique(result);
-    result.erase(repeated.begin(), repeated.end());
+    const auto repeated = std::unique(result.begin(), result.end());
+    result.erase(repeated, result.end());
     return result;
 }
 

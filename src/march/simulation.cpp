@@ -33,6 +33,9 @@ std::unique_ptr<solve::Strategy> choose(const scene::Scene& scene, const fem::No
                          "; expected \"newton-krylov\" or \"auto\", or a start without mpirun");
     }
     if (several || scene.solver.strategy == "newton-krylov") {
+        if (backend == nullptr) {
+            throw SystemError("solver.strategy = \"newton-krylov\" needs PETSc, which this program has not");
+        }
         return backend->newton_krylov(part);
     }
     return std::make_unique<solve::Condensed>(graph);

@@ -100,8 +100,9 @@ std::optional<std::string> flat_or_folded(const Mesh& mesh, const Tags& tags) {
 }
 
 Vector centre(const Mesh& mesh, std::span<const std::int32_t> vertices) {
-    const Vector sum = std::accumulate(vertices.begin(), vertices.end(), Vector(Vector::Zero()),
-                                       [&](Vector x, std::int32_t v) { return Vector(x + place(mesh, v)); });
+    const Vector sum =
+        std::accumulate(vertices.begin(), vertices.end(), Vector(Vector::Zero()),
+                        [&](const Vector& x, std::int32_t v) { return Vector(x + place(mesh, v)); });
     return sum / static_cast<double>(vertices.size());
 }
 

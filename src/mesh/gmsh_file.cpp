@@ -243,7 +243,7 @@ Mesh Reader::read() {
 
 /// Gmsh's words about a file, at the section that they speak of.
 [[noreturn]] void fail_reading(const std::filesystem::path& path, const std::vector<GmshSection>& sections,
-                               std::string words) {
+                               const std::string& words) {
     std::string where = path.string();
     for (const auto& [word, section] : {std::pair("node", "Nodes"), std::pair("element", "Elements")}) {
         const auto at = std::ranges::find(sections, section, &GmshSection::name);

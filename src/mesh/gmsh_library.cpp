@@ -55,7 +55,7 @@ class Session {
     }
 
     std::string text(char* taken) {
-        const std::string result = taken == nullptr ? "" : taken;
+        std::string result = taken == nullptr ? "" : taken;
         free_(taken);
         return result;
     }

@@ -42,8 +42,10 @@ std::vector<Point> Lattice::points() const {
 }
 
 std::vector<std::int32_t> Lattice::corners(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    const std::int32_t count = 1 << dimension_;
     std::vector<std::int32_t> result;
-    for (std::int32_t corner = 0; corner < 1 << dimension_; ++corner) {
+    result.reserve(static_cast<std::size_t>(count));
+    for (std::int32_t corner = 0; corner < count; ++corner) {
         result.push_back(vertex(i + corner % 2, j + corner / 2 % 2, k + corner / 4));
     }
     return result;

@@ -74,8 +74,8 @@ std::vector<std::int32_t> Loads::nodes_of(const Domain& domain) const {
             nodes.insert(nodes.end(), of_facet.begin(), of_facet.end());
         }
         std::ranges::sort(nodes);
-        const auto repeated = std::ranges::unique(nodes);
-        nodes.erase(repeated.begin(), repeated.end());
+        const auto repeated = std::unique(nodes.begin(), nodes.end());
+        nodes.erase(repeated, nodes.end());
     } else {
         nodes.resize(space_->nodes.size());
         std::iota(nodes.begin(), nodes.end(), 0);

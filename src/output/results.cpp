@@ -93,6 +93,7 @@ void Results::write_grid(const std::string& name, const VtuGrid& grid) {
     write_whole(folder_ / numbered(name, step, piece(simulation_->team().rank())), to_vtu(grid));
     if (first_process()) {
         std::vector<std::string> files;
+        files.reserve(static_cast<std::size_t>(processes));
         for (int rank = 0; rank < processes; ++rank) {
             files.push_back(std::filesystem::path(numbered(name, step, piece(rank))).filename());
         }

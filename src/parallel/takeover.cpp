@@ -45,6 +45,7 @@ void continue_with_petsc() {
         words.push_back(word);
     }
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) {
         argv.push_back(word.data());
     }

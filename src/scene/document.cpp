@@ -50,7 +50,7 @@ nlohmann::json to_json(const toml::node& node) {
 
 class Flattener {
   public:
-    explicit Flattener(const Location& where) : where_(where) {}
+    explicit Flattener(Location where) : where_(std::move(where)) {}
 
     void add(const toml::table& table, const std::string& prefix, int depth) {
         for (const auto& [name, node] : table) {
@@ -67,7 +67,8 @@ class Flattener {
                 fail(where, one_line(key) + ": tables nested too deeply");
             }
             const auto* child = node.as_table();
-            entries.push_back({key, where, child != nullptr, child ? nlohmann::json() : to_json(node)});
+            entries.push_back(
+                {key, where, child != nullptr, child != nullptr ? nlohmann::json() : to_json(node)});
             positions.push_back(node.source().begin);
             if (child != nullptr) {
                 add(*child, key + ".", depth + 1);
@@ -83,6 +84,7 @@ class Flattener {
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return positions[a] < positions[b]; });
         std::vector<Entry> sorted;
+        sorted.reserve(entries.size());
         for (const std::size_t i : order) {
             sorted.push_back(entries[i]);
         }

@@ -169,12 +169,9 @@ bool is_fully_prescribed(const Settings& settings, const std::string& name) {
     if (!settings.has(name)) {
         return false;
     }
-    for (const auto& component : settings.value(name)) {
-        if (component == "free") {
-            return false;
-        }
-    }
-    return true;
+    const nlohmann::json& components = settings.value(name);
+    return std::all_of(components.begin(), components.end(),
+                       [](const nlohmann::json& component) { return component != "free"; });
 }
 
 [[noreturn]] void fail_pair(const Settings& settings, const std::string& a, const std::string& b,

@@ -93,8 +93,10 @@ std::string as_toml() {
         }
         const std::string unit = key.unit.empty() ? "" : ", " + key.unit;
         const std::string values = admissible(key).empty() ? "" : ", " + admissible(key);
-        text += "# " + key.description + "\n# " + type_name(key.type) + unit + values + "; " + presence(key) +
-                relations(key) + "\n" + key.leaf() + " = " + key.example + "\n";
+        text += "# " + key.description + "\n# " + type_name(key.type);
+        text += unit;
+        text +=
+            values + "; " + presence(key) + relations(key) + "\n" + key.leaf() + " = " + key.example + "\n";
     }
     return text;
 }

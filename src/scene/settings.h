@@ -16,6 +16,7 @@ struct Mesh;
 
 namespace thermocontact::scene {
 
+// NOLINTNEXTLINE(bugprone-exception-escape): the move of JSON is declared noexcept, and nothing in it throws
 struct Setting {
     const Key* key = nullptr;
     Location where;        ///< of defaults: the table's place

@@ -72,7 +72,7 @@ std::string suggestion(const std::string& table, const std::string& leaf, const 
     if (const auto names = namesakes(leaf, owner); !names.empty()) {
         return "; did you mean " + one_of(names) + "?";
     }
-    if (const std::string text = did_you_mean(leaf, members(table)); !text.empty()) {
+    if (std::string text = did_you_mean(leaf, members(table)); !text.empty()) {
         return text;
     }
     if (const std::string name = near_elsewhere(leaf, owner); !name.empty()) {

@@ -64,6 +64,9 @@ bool Newton::factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::Vec
 }
 
 bool Newton::is_round_off(const Eigen::VectorXd& x, const Residual& current) const {
+    if (derivative_.size() == 0) {
+        return false;  // no iteration was allowed yet: nothing is known of T
+    }
     const Eigen::VectorXd noise = derivative_.cwiseAbs() * x.cwiseAbs();
     return current.norm <= std::numeric_limits<double>::epsilon() * noise.norm() &&
            current.relative <= most_round_off * options_.tolerance;

@@ -193,7 +193,7 @@ PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int
         const double* block = numbers + px[s];
         for (std::int32_t c = 0; c < super[s + 1] - super[s]; ++c) {
             const double pivot = block[static_cast<std::ptrdiff_t>(c) * leading + c];
-            const std::int32_t row = order_[static_cast<std::size_t>(super[s] + c)];
+            const std::int32_t row = order_[static_cast<std::size_t>(super[s]) + static_cast<std::size_t>(c)];
             if (!(pivot * pivot > smallest_pivot * original[static_cast<std::size_t>(row)])) {
                 throw NotPositiveDefinite{row};
             }

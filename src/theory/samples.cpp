@@ -67,8 +67,8 @@ Nodes nodes_of(const fem::Space& space, const std::vector<std::int32_t>& cells) 
         nodes.insert(nodes.end(), of_cell.begin(), of_cell.end());
     }
     std::ranges::sort(nodes);
-    const auto repeated = std::ranges::unique(nodes);
-    nodes.erase(repeated.begin(), repeated.end());
+    const auto repeated = std::unique(nodes.begin(), nodes.end());
+    nodes.erase(repeated, nodes.end());
     return nodes;
 }
 

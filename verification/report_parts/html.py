@@ -10,8 +10,8 @@ NUMBER = re.compile(r"[-+–]?(\d|inf|nan)[\d.,e+-]*%?")
 
 
 def cell(text: str, kind: str = "td") -> str:
-    """Numbers to the right; a verdict in its colour."""
-    stripped = text.strip()
+    """Numbers to the right, ranges in one piece; a verdict in its colour."""
+    stripped = text.strip().replace(" – ", "\u00a0–\u00a0")
     names = ["n"] if NUMBER.fullmatch(stripped) else []
     if stripped == "FAILED" or stripped.startswith("FAILED "):
         names.append("bad")

@@ -11,7 +11,7 @@ from typing import Any
 
 from .mutation import Mutation
 from .suite import Suite
-from .workspace import Workspace
+from .workspace import Workspace, stamp
 
 SURVIVED, NOT_COMPILED = "nothing", "not compiled"
 CPP, CPP_TARGET = "cpp", "thermocontact_tests"  # the test that comes first, and what it needs
@@ -53,14 +53,18 @@ def judge(mutation: Mutation, workspace: Workspace, suite: Suite) -> Verdict:
 
 def first_to_notice(mutation: Mutation, workspace: Workspace, suite: Suite) -> tuple[str, str]:
     # the C++ tests need but one of the programs: most mutations go no further
-    for targets, names in (
-        ((CPP_TARGET,), [CPP]),
-        ((), [name for name in suite.order(FIRST.get(mutation.room, ())) if name != CPP]),
-    ):
-        problem = workspace.make(*targets)
-        if problem:
-            return NOT_COMPILED, problem
-        for name in names:
+    program = workspace.build / "tests" / CPP_TARGET
+    before = stamp(program)
+    if problem := workspace.make(CPP_TARGET):
+        return NOT_COMPILED, problem
+    if stamp(program) != before:
+        outcome = suite.run(CPP)
+        if not outcome.passed:
+            return CPP, outcome.how
+    if problem := workspace.make():
+        return NOT_COMPILED, problem
+    for name in suite.order(FIRST.get(mutation.room, ())):
+        if name != CPP:
             outcome = suite.run(name)
             if not outcome.passed:
                 return name, outcome.how

@@ -50,6 +50,8 @@ std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const std:
     }
     try {
         return std::make_unique<march::Simulation>(scene, model::Sources{}, backend);
+    } catch (const parallel::BackendNeeded&) {
+        parallel::continue_with_petsc();
     } catch (const NumericsError& error) {
         if (parallel::is_first(backend)) {
             output::write_setup_failure(folder, scene, error.what());

@@ -7,7 +7,7 @@
 #include "mesh/shapes.h"
 #include "model/nodal.h"
 #include "number.h"
-#include "solve/condensed_problem.h"
+#include "solve/available_memory.h"
 
 namespace thermocontact::march {
 
@@ -24,23 +24,6 @@ parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* bac
     return parallel::take_part(std::move(mesh), std::move(space), team.size(), team.rank());
 }
 
-std::unique_ptr<solve::Strategy> choose(const scene::Scene& scene, const fem::NodeGraph& graph,
-                                        const parallel::Part& part, const parallel::Backend* backend) {
-    const bool several = backend != nullptr && backend->team().size() > 1;
-    if (several && scene.solver.strategy == "condensed") {
-        throw SceneError("solver.strategy = \"condensed\" runs on one process, and mpirun started " +
-                         std::to_string(backend->team().size()) +
-                         "; expected \"newton-krylov\" or \"auto\", or a start without mpirun");
-    }
-    if (several || scene.solver.strategy == "newton-krylov") {
-        if (backend == nullptr) {
-            throw SystemError("solver.strategy = \"newton-krylov\" needs PETSc, which this program has not");
-        }
-        return backend->newton_krylov(part);
-    }
-    return std::make_unique<solve::Condensed>(graph);
-}
-
 }  // namespace
 
 Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
@@ -48,17 +31,17 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
     : scene_(&scene),
       part_(make_part(scene, backend)),
       graph_(fem::make_node_graph(part_.space)),
-      strategy_(choose(scene, graph_, part_, backend)),
       surfaces_(model::make_contact_surfaces(scene, part_.mesh, part_.space)),
+      choice_(choose_strategy(scene, graph_, part_, surfaces_, backend, solve::available_memory())),
       scheme_(scene.time) {
     const parallel::Phase phase(backend, "assembly");
     initialise();
     if (scene.material) {
-        momentum_.emplace(scene, part_.mesh, part_.space, graph_, *strategy_, surfaces_, state_,
+        momentum_.emplace(scene, part_.mesh, part_.space, graph_, *choice_.strategy, surfaces_, state_,
                           sources.mechanical);
     }
     if (scene.heat) {
-        heat_.emplace(scene, part_.mesh, part_.space, graph_, *strategy_, surfaces_, state_,
+        heat_.emplace(scene, part_.mesh, part_.space, graph_, *choice_.strategy, surfaces_, state_,
                       momentum_ ? &momentum_->stage_displacement() : nullptr, sources.thermal);
     }
     prepare();

@@ -13,6 +13,7 @@
 #include "march/heat.h"
 #include "march/momentum.h"
 #include "march/step_rule.h"
+#include "march/strategy_choice.h"
 #include "march/subdivision.h"
 #include "model/contact_measures.h"
 #include "parallel/backend.h"
@@ -34,7 +35,8 @@ struct Totals {
 class Simulation {
   public:
     /// Mesh, space, operators, factors, initial state; `sources` are loads beside those of the scene. Keeps a
-    /// reference to the scene. Throws NumericsError where a system is singular, std::bad_alloc.
+    /// reference to the scene. Throws NumericsError where a system is singular, std::bad_alloc, and
+    /// what choose_strategy() throws.
     explicit Simulation(const scene::Scene& scene, const model::Sources& sources = {},
                         const parallel::Backend* backend = nullptr);
 
@@ -51,8 +53,9 @@ class Simulation {
     const fem::Space& space() const { return part_.space; }
     const parallel::Part& part() const { return part_; }
 
-    const parallel::Team& team() const { return strategy_->team(); }
-    const solve::Strategy& strategy() const { return *strategy_; }
+    const parallel::Team& team() const { return choice_.strategy->team(); }
+    const solve::Strategy& strategy() const { return *choice_.strategy; }
+    const std::string& why_strategy() const { return choice_.why; }
     const model::ContactSurfaces& surfaces() const { return surfaces_; }
     model::ContactProbe& probe(std::size_t surface) { return *probes_[surface]; }
     const Totals& totals() const { return totals_; }
@@ -104,8 +107,8 @@ class Simulation {
     const scene::Scene* scene_;
     parallel::Part part_;
     fem::NodeGraph graph_;
-    std::unique_ptr<solve::Strategy> strategy_;
     model::ContactSurfaces surfaces_;
+    StrategyChoice choice_;
     Scheme scheme_;
     State state_;
     std::vector<double> no_motion_;  ///< displacement and velocity of a scene without mechanics

@@ -60,8 +60,7 @@ void Progress::header(const march::Simulation& simulation) const {
               << "physics   " << physics << "\n"
               << "time      " << scene_->time.steps << " steps to t = " << short_text(scene_->time.end)
               << ", " << scene_->time.scheme << "\n"
-              << "solver    " << simulation.strategy().name() << ": " << strategy_reason(*scene_, simulation)
-              << "\n";
+              << "solver    " << simulation.strategy().name() << ": " << simulation.why_strategy() << "\n";
 }
 
 void Progress::step(const march::Simulation& simulation, const march::Record& record) {

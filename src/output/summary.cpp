@@ -37,21 +37,6 @@ std::string version_text() {
     return std::string(THERMOCONTACT_VERSION) + " (" + fem::kernel_provenance() + ")";
 }
 
-std::string strategy_reason(const scene::Scene& scene, const march::Simulation& simulation) {
-    if (const int processes = simulation.team().size(); processes > 1) {
-        return std::to_string(processes) + " processes";
-    }
-    if (scene.solver.strategy == "newton-krylov") {
-        return "asked for";
-    }
-    const std::string unknowns = std::to_string(simulation.contact_unknowns()) + " contact unknowns";
-    if (scene.solver.strategy == "condensed") {
-        return "asked for; " + unknowns;
-    }
-    return simulation.contact_unknowns() == 0 ? "no contact: one triangular solve pair a step"
-                                              : unknowns + " fit a dense matrix";
-}
-
 Json summary(const scene::Scene& scene, march::Simulation& simulation, const std::string& status,
              const std::string& reason, const Seconds& seconds) {
     const march::Totals& totals = simulation.totals();
@@ -68,7 +53,7 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                        {{"displacement", simulation.displacement_unknowns()},
                         {"temperature", simulation.temperature_unknowns()}}}};
     result["solver"] = {{"strategy", simulation.strategy().name()},
-                        {"why", strategy_reason(scene, simulation)},
+                        {"why", simulation.why_strategy()},
                         {"processes", simulation.team().size()},
                         {"factor_entries", simulation.factor_entries()},
                         {"contact_unknowns", simulation.contact_unknowns()}};

@@ -11,9 +11,6 @@ namespace thermocontact::output {
 nlohmann::ordered_json summary(const scene::Scene& scene, march::Simulation& simulation,
                                const std::string& status, const std::string& reason, const Seconds& seconds);
 
-/// Why the strategy was chosen, for header and summary.
-std::string strategy_reason(const scene::Scene& scene, const march::Simulation& simulation);
-
 /// "0.1.0 (FFCx 0.5.0, UFL 2022.2.0; forms 0123456789abcdef)".
 std::string version_text();
 

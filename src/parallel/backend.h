@@ -27,6 +27,9 @@ class Backend {
     virtual std::unique_ptr<solve::Strategy> newton_krylov(const Part& part) const = 0;
 };
 
+/// Thrown where only a backend can go on and there is none.
+struct BackendNeeded {};
+
 /// A stage of PETSc's log (-log_view) while it lives; nothing where there is no PETSc. Stages may nest.
 class Phase {
   public:

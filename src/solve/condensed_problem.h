@@ -27,7 +27,8 @@ class CondensedProblem : public StepProblem {
 
 class Condensed : public Strategy {
   public:
-    explicit Condensed(const fem::NodeGraph& graph) : orders_(graph) {}
+    /// `orders` may hold orders that were computed before.
+    explicit Condensed(InteriorOrders orders) : orders_(std::move(orders)) {}
     std::string name() const override { return "condensed"; }
     const parallel::Team& team() const override { return alone_; }
     std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) override;

@@ -2,12 +2,15 @@
 
     python3 verification/benchmark.py [--sizes 16 32 64 128 256] [--oracle-sizes 64 128] [--repeat 3]
                                       [--driver build/thermocontact] [--output DIR]
+    python3 verification/benchmark.py --study ladder | scaling | multigrid [--largest CELLS] [--processes 1 2]
 
 The problem is scenes/paper-isotropic.toml with theta_F = 10, n cells a side, n steps, no field output, one thread.
 Driver and oracle run in turn, each several times, after one run of both that is not counted and fills the oracle's
 cache of compiled forms. At the largest size the memory's read bandwidth is measured between the runs, on an array
 of the size of the two Cholesky factors, part of which may stay in the cache, and on one of 256 MiB; reading both
 factors twice is what the triangular solves of a step need at least. Medians are given with the least and the largest value. Nothing here judges a time: the machine may be busy.
+
+The other studies compare strategies and processes, see benchmarking/large.py.
 
 Exit codes: 0 measured, 1 a run failed or driver and oracle did not solve the same problem, 2 wrong usage.
 """
@@ -19,7 +22,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from benchmarking import process, report
+from benchmarking import large, process, report
 from benchmarking.bandwidth import LARGE, ReadTimer
 from benchmarking.process import Run, RunFailed
 from benchmarking.statistics import Sample, exponent
@@ -66,9 +69,7 @@ def compared(n: int, ours: Sequence[Run], theirs: Sequence[Run]) -> dict[str, An
     }
 
 
-def growth(
-    driver: Sequence[str], sizes: Sequence[int], repeat: int
-) -> tuple[list[dict[str, Any]], dict[str, Any]]:
+def growth(driver: Sequence[str], sizes: Sequence[int], repeat: int) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """Seconds per step at each size, and the largest size against the memory."""
     results: list[dict[str, Any]] = []
     memory: dict[str, Any] = {}
@@ -137,6 +138,15 @@ def measure(options: argparse.Namespace) -> dict[str, Any]:
     }
 
 
+def measure_large(options: argparse.Namespace) -> Any:
+    driver, repeat = process.driver_command(options.driver), options.repeat
+    if options.study == "ladder":
+        return large.ladder(driver, repeat, options.largest or 256)
+    if options.study == "scaling":
+        return large.scaling(driver, repeat, options.largest or 40, options.processes)
+    return large.multigrid(driver, repeat, options.largest or 28, options.processes)
+
+
 def positive(text: str) -> int:
     value = int(text)
     if value < 1:
@@ -151,6 +161,9 @@ def parse(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--repeat", type=positive, default=3)
     parser.add_argument("--driver", type=Path, default=process.ROOT / "build" / "thermocontact")
     parser.add_argument("--output", type=Path, metavar="DIR", help="where benchmark.json goes")
+    parser.add_argument("--study", choices=("speed", "ladder", "scaling", "multigrid"), default="speed")
+    parser.add_argument("--largest", type=positive, metavar="CELLS", help="cells a side of the other studies")
+    parser.add_argument("--processes", type=positive, nargs="+", default=[1, 2], metavar="P")
     options = parser.parse_args(arguments)
     if not options.driver.is_file():
         parser.error(f"no driver at {options.driver}")
@@ -160,11 +173,11 @@ def parse(arguments: Sequence[str]) -> argparse.Namespace:
 def main(arguments: Sequence[str]) -> int:
     options = parse(arguments)
     try:
-        results = measure(options)
-        print(report.text(results))
+        results = measure(options) if options.study == "speed" else measure_large(options)
+        print(report.text(results) if options.study == "speed" else large.text(options.study, results))
         if options.output:
             options.output.mkdir(parents=True, exist_ok=True)
-            path = options.output / "benchmark.json"
+            path = options.output / ("benchmark.json" if options.study == "speed" else f"{options.study}.json")
             path.write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
     except (RunFailed, OSError) as problem:
         print(f"benchmark: {problem}", file=sys.stderr)

@@ -1,6 +1,7 @@
 """The oracle: the same scene as thermocontact's, solved with dolfinx from a weak form of its own.
 
     mpirun -n P python3 verification/oracle.py SCENE.toml --output DIR [--set KEY=VALUE]... [--quiet]
+        [--solver amg]
 
 Each step solves, first, the momentum balance for the velocity w_s at its stage (time_steps.py; of backward Euler, its
 end), with u_s = u_b + tau w_s and u_b, w_b, theta_b what the step knows of these before,
@@ -148,13 +149,13 @@ def march(problem: Problem, directory: Path, watch: Stopwatch, history: History,
     watch.seconds["factor"] = sum(equation.solver_seconds for equation in equations)
 
 
-def run(comm: Any, scene: Scene, directory: Path, quiet: bool) -> None:
+def run(comm: Any, scene: Scene, directory: Path, quiet: bool, solver: str) -> None:
     watch = Stopwatch()
     if comm.rank == 0:
         directory.mkdir(parents=True, exist_ok=True)
         for stale in ("fields.pvd", "history.csv", "summary.json"):
             (directory / stale).unlink(missing_ok=True)
-    problem = Problem(comm, scene)
+    problem = Problem(comm, scene, solver)
     history = History(directory, comm)
     failure: NumericsError | None = None
     try:
@@ -163,7 +164,9 @@ def run(comm: Any, scene: Scene, directory: Path, quiet: bool) -> None:
         failure = caught
     history.close()
     status = "failed" if failure else "completed"
-    write_summary(directory, comm, summary(scene, problem.mesh, problem.unknowns, status, history, watch))
+    write_summary(
+        directory, comm, summary(scene, problem.mesh, problem.unknowns, status, history, watch, solver)
+    )
     if failure:
         raise failure
 
@@ -174,10 +177,11 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="settings")
     parser.add_argument("--quiet", action="store_true")
+    parser.add_argument("--solver", choices=("direct", "amg"), default="direct", help="MUMPS, or multigrid")
     options = parser.parse_args(arguments)
     comm = MPI.COMM_WORLD
     try:
-        run(comm, read_scene(options.scene, options.settings), options.output, options.quiet)
+        run(comm, read_scene(options.scene, options.settings), options.output, options.quiet, options.solver)
     except SceneError as problem:
         return report(comm, problem, 2)
     except NumericsError as problem:

@@ -88,6 +88,16 @@ def timed(command: Sequence[str]) -> tuple[float, float]:
     return wall_seconds, usage.ru_maxrss / 1024.0
 
 
+def timed_output(command: Sequence[str]) -> tuple[float, str]:
+    """Wall seconds, and what the program printed."""
+    begin = time.perf_counter()
+    done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, **ENVIRONMENT})
+    seconds = time.perf_counter() - begin
+    if done.returncode != 0:
+        raise RunFailed(f"{' '.join(command)}\nended with {done.returncode}: {done.stderr.strip()[-2000:]}")
+    return seconds, done.stdout
+
+
 def disagreement(a: Run, b: Run) -> float:
     """The largest relative difference of the norms of the final fields."""
     pairs = zip(a.norms, b.norms)

@@ -104,6 +104,8 @@ class Momentum:
                 terms,
                 nonlinear=bool(terms),
                 tolerances=problem.tolerances,
+                solver=problem.solver,
+                symmetric=not any(contact.friction for contact in scene.contacts.values()),
             ),
         )
 
@@ -211,6 +213,8 @@ class HeatBalance:
                 terms,
                 nonlinear=any(law is not None and law.limit is not None for law in laws),
                 tolerances=problem.tolerances,
+                solver=problem.solver,
+                symmetric=True,
             ),
         )
 

@@ -15,6 +15,7 @@ from dolfinx.fem import petsc as fem_petsc
 from petsc4py import PETSc
 
 from oracle_parts.errors import NumericsError
+from oracle_parts.linear import multigrid, mumps
 from oracle_parts.portability import petsc_vector
 
 # Round-off can stop the residual above solver.tolerance; a standstill below this, relative to the terms, is accepted.
@@ -49,7 +50,10 @@ class StepEquation:
         terms: Sequence[Term],
         nonlinear: bool,
         tolerances: Tolerances,
+        solver: str = "direct",
+        symmetric: bool = False,
     ) -> None:
+        """`solver`: "direct" or "amg", see `linear`; `symmetric`: whether the derivatives of the terms are."""
         self.name, self.matrix, self.constant = name, matrix, constrained_matrix
         self.bcs, self.unknown, self.terms = list(bcs), unknown, terms
         self.nonlinear, self.tolerances = nonlinear, tolerances
@@ -59,7 +63,12 @@ class StepEquation:
         self.correction = matrix.createVecRight()
         self.jacobian = constrained_matrix.copy() if terms else constrained_matrix
         self.constrained = constrained[constrained < self.residual.getLocalSize()]
-        self.solver = _mumps(self.jacobian)
+        # a correction that is solved for approximately says less about the error than the residual does
+        self.exact = solver == "direct"
+        if solver == "amg":
+            self.solver = multigrid(self.jacobian, unknown, symmetric, nonlinear)
+        else:
+            self.solver = mumps(self.jacobian)
         self.solver_seconds = 0.0
 
     def solve(self, b: Any) -> int:
@@ -91,7 +100,7 @@ class StepEquation:
             new_norm, scale = self._evaluate(b)
             change = self.correction.norm()
             size = self.x.norm()
-            if change <= tolerance * size:
+            if self.exact and change <= tolerance * size:
                 return iteration
             standstill = new_norm <= STANDSTILL * scale or change <= STANDSTILL * size
             if standstill and new_norm > 0.5 * norm:
@@ -146,17 +155,10 @@ class StepEquation:
         self.solver.solve(self.residual, self.correction)
         self.solver_seconds += time.perf_counter() - start
         if self.solver.getConvergedReason() < 0:
-            raise NumericsError(f"{self.name}: the system is singular")
+            raise NumericsError(
+                f"{self.name}: the system is singular, or its linear solver does not converge"
+            )
 
     def _move(self, factor: float) -> None:
         self.x.axpy(factor, self.correction)
         self.unknown.x.scatter_forward()
-
-
-def _mumps(matrix: Any) -> Any:
-    solver = PETSc.KSP().create(matrix.comm)
-    solver.setOperators(matrix)
-    solver.setType(PETSc.KSP.Type.PREONLY)
-    solver.getPC().setType(PETSc.PC.Type.LU)
-    solver.getPC().setFactorSolverType(PETSc.Mat.SolverType.MUMPS)
-    return solver

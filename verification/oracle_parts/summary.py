@@ -36,7 +36,13 @@ def physics(scene: Scene) -> list[str]:
 
 
 def summary(
-    scene: Scene, mesh: Any, unknowns: dict[str, int], status: str, history: History, watch: Stopwatch
+    scene: Scene,
+    mesh: Any,
+    unknowns: dict[str, int],
+    status: str,
+    history: History,
+    watch: Stopwatch,
+    solver: str,
 ) -> dict[str, Any]:
     final: dict[str, Any] = {}
     contact: dict[str, dict[str, float]] = {name: {} for name in scene.contacts}
@@ -56,7 +62,11 @@ def summary(
             "vertices": mesh.topology.index_map(0).size_global,
             "unknowns": {"displacement": 0, "temperature": 0, **unknowns},
         },
-        "solver": {"strategy": "newton-mumps", "why": "the oracle's only one", "processes": mesh.comm.size},
+        "solver": {
+            "strategy": "newton-mumps" if solver == "direct" else "newton-gamg",
+            "why": f"--solver {solver}",
+            "processes": mesh.comm.size,
+        },
         "final": {**final, "contact": contact},
         "newton": {
             "iterations": sum(history.iterations),

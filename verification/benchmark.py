@@ -69,7 +69,9 @@ def compared(n: int, ours: Sequence[Run], theirs: Sequence[Run]) -> dict[str, An
     }
 
 
-def growth(driver: Sequence[str], sizes: Sequence[int], repeat: int) -> tuple[list[dict[str, Any]], dict[str, Any]]:
+def growth(
+    driver: Sequence[str], sizes: Sequence[int], repeat: int
+) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """Seconds per step at each size, and the largest size against the memory."""
     results: list[dict[str, Any]] = []
     memory: dict[str, Any] = {}
@@ -177,7 +179,9 @@ def main(arguments: Sequence[str]) -> int:
         print(report.text(results) if options.study == "speed" else large.text(options.study, results))
         if options.output:
             options.output.mkdir(parents=True, exist_ok=True)
-            path = options.output / ("benchmark.json" if options.study == "speed" else f"{options.study}.json")
+            path = options.output / (
+                "benchmark.json" if options.study == "speed" else f"{options.study}.json"
+            )
             path.write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
     except (RunFailed, OSError) as problem:
         print(f"benchmark: {problem}", file=sys.stderr)

@@ -59,7 +59,9 @@ class Measured:
         return sum(self.summary["mesh"]["unknowns"].values())
 
 
-def run(program: Sequence[str], body: Body, processes: int, more: Sequence[str], after: Sequence[str]) -> Measured:
+def run(
+    program: Sequence[str], body: Body, processes: int, more: Sequence[str], after: Sequence[str]
+) -> Measured:
     with tempfile.TemporaryDirectory(prefix="benchmark-") as folder:
         launch = ["mpirun", "-n", str(processes)] if processes > 1 else []
         scene = str(ROOT / "scenes" / f"{body.scene}.toml")
@@ -84,7 +86,7 @@ def ladder(driver: Sequence[str], repeat: int, largest: int) -> list[dict[str, A
         if body.cells > largest:
             continue
         names = ("condensed", "newton-krylov", "auto")
-        runs = {name: [] for name in names}
+        runs: dict[str, list[Measured]] = {name: [] for name in names}
         for _ in range(repeat):
             for name in names:
                 runs[name].append(run(driver, body, 1, strategy(name), []))
@@ -151,7 +153,9 @@ def scaling(driver: Sequence[str], repeat: int, largest: int, processes: Sequenc
     return {"strong": strong, "weak": weak}
 
 
-def multigrid(driver: Sequence[str], repeat: int, largest: int, processes: Sequence[int]) -> list[dict[str, Any]]:
+def multigrid(
+    driver: Sequence[str], repeat: int, largest: int, processes: Sequence[int]
+) -> list[dict[str, Any]]:
     body, rows = Body("box", largest, 4), []
     for count in processes:
         ours, theirs = [], []
@@ -192,7 +196,9 @@ def text(study: str, results: Any) -> str:
 
 
 def _ladder_text(rows: Any) -> list[str]:
-    lines = [f"{'body':>20} {'unknowns':>9} {'condensed':>10} {'krylov':>8} {'auto':>8} {'its choice':>14} {'over':>5}"]
+    lines = [
+        f"{'body':>20} {'unknowns':>9} {'condensed':>10} {'krylov':>8} {'auto':>8} {'its choice':>14} {'over':>5}"
+    ]
     for row in rows:
         s = row["seconds"]
         lines.append(

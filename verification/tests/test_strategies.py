@@ -78,7 +78,9 @@ class Summary(unittest.TestCase):
     def test_auto_says_why(self) -> None:
         summary, output = run("box", "output.fields=[]")
         self.assertEqual(summary["solver"]["strategy"], "condensed")
-        self.assertRegex(summary["solver"]["why"], r"foreseen: condensed .* GiB, .* s, newton-krylov .* GiB, .* s")
+        self.assertRegex(
+            summary["solver"]["why"], r"foreseen: condensed .* GiB, .* s, newton-krylov .* GiB, .* s"
+        )
         self.assertIn(summary["solver"]["why"], output)
 
     def test_auto_goes_over_to_newton_krylov(self) -> None:
@@ -89,7 +91,16 @@ class Summary(unittest.TestCase):
 
     def test_the_log_names_stages_and_events(self) -> None:
         _, output = run("box", "output.fields=[]", 'solver.strategy="newton-krylov"', petsc=("-log_view",))
-        for name in ("mesh", "assembly", "steps", "output", "TCContact", "TCProduct", "TCHierarchy", "TCLinearSolve"):
+        for name in (
+            "mesh",
+            "assembly",
+            "steps",
+            "output",
+            "TCContact",
+            "TCProduct",
+            "TCHierarchy",
+            "TCLinearSolve",
+        ):
             self.assertIn(name, output)
 
 

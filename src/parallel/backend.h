@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "error.h"
 #include "fem/space.h"
 #include "parallel/part.h"
 #include "parallel/team.h"
@@ -28,7 +29,9 @@ class Backend {
 };
 
 /// Thrown where only a backend can go on and there is none.
-struct BackendNeeded {};
+struct BackendNeeded : SystemError {
+    BackendNeeded() : SystemError("strategy \"newton-krylov\" needs PETSc, which this program has not") {}
+};
 
 /// A stage of PETSc's log (-log_view) while it lives; nothing where there is no PETSc. Stages may nest.
 class Phase {

@@ -19,7 +19,7 @@ class OneBalance : public testing::Test {
         at.graph, 1, 1);
     std::vector<char> contact = std::vector<char>(at.node_count(), 0);
     std::vector<char> fixed = contact;
-    Condensed strategy{at.graph};
+    Condensed strategy{InteriorOrders(at.graph)};
 
     OneBalance() {
         for (std::size_t node = 0; node < at.node_count(); ++node) {

@@ -119,25 +119,31 @@ std::vector<std::int32_t> Space::facet_nodes(const mesh::Facet& facet) const {
     return result;
 }
 
-std::vector<std::int32_t> Space::boundary_nodes(const mesh::Mesh& mesh, std::int32_t boundary) const {
-    std::vector<std::int32_t> result;
+namespace {
+
+std::vector<std::vector<std::int32_t>> find_boundary_nodes(const mesh::Mesh& mesh, const Space& space) {
+    std::vector<std::vector<std::int32_t>> result(mesh.boundary_names.size());
     for (const mesh::Facet& facet : mesh.facets) {
-        if (facet.boundary == boundary) {
-            const auto nodes = facet_nodes(facet);
-            result.insert(result.end(), nodes.begin(), nodes.end());
-        }
+        auto& nodes = result[static_cast<std::size_t>(facet.boundary)];
+        const auto of_facet = space.facet_nodes(facet);
+        nodes.insert(nodes.end(), of_facet.begin(), of_facet.end());
     }
-    std::ranges::sort(result);
-    const auto repeated = std::unique(result.begin(), result.end());
-    result.erase(repeated, result.end());
+    for (auto& nodes : result) {
+        std::ranges::sort(nodes);
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    }
     return result;
 }
+
+}  // namespace
 
 Space make_space(const mesh::Mesh& mesh, int degree) {
     LagrangeElement element = make_lagrange(mesh.cell, degree);
     Dofmap dofmap = number_nodes(mesh, element);
     auto nodes = node_coordinates(mesh, element, dofmap);
-    return {std::move(element), std::move(dofmap), std::move(nodes), number_cells(mesh.cell_count())};
+    Space space{std::move(element), std::move(dofmap), std::move(nodes), number_cells(mesh.cell_count()), {}};
+    space.boundary_nodes = find_boundary_nodes(mesh, space);
+    return space;
 }
 
 }  // namespace thermocontact::fem

@@ -30,11 +30,12 @@ struct Space {
     std::vector<mesh::Point> nodes;  ///< coordinates, m
     Dofmap cellwise;                 ///< one value a cell
 
+    /// [boundaries]: sorted nodes of all facets of each. A part of the mesh has among them those of its nodes
+    /// whose facet another part has.
+    std::vector<std::vector<std::int32_t>> boundary_nodes;
+
     /// Nodes of a facet: its vertices first.
     std::vector<std::int32_t> facet_nodes(const mesh::Facet& facet) const;
-
-    /// Sorted nodes of all facets of one boundary.
-    std::vector<std::int32_t> boundary_nodes(const mesh::Mesh& mesh, std::int32_t boundary) const;
 };
 
 /// Numbers the nodes: vertices as in the mesh, then for degree 2 one node an edge, and for tensor cells one a

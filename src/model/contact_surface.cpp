@@ -46,7 +46,7 @@ ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mes
                                                             {}});
         // by the name: this part of the mesh may have no facet there
         const auto index = std::ranges::find(mesh.boundary_names, name) - mesh.boundary_names.begin();
-        surface->nodes = space.boundary_nodes(mesh, static_cast<std::int32_t>(index));
+        surface->nodes = space.boundary_nodes[static_cast<std::size_t>(index)];
         surface->gap.resize(space.nodes.size());
         if (surface->laws.conductance) {
             surface->foundation_temperature.resize(space.nodes.size());

@@ -59,7 +59,7 @@ Prescribed Prescribed::temperature(const scene::Scene& scene, const mesh::Mesh& 
 void Prescribed::add(const mesh::Mesh& mesh, const fem::Space& space, const std::string& boundary,
                      int components, int component, const scene::Expression& expression) {
     const auto index = std::ranges::find(mesh.boundary_names, boundary) - mesh.boundary_names.begin();
-    for (const std::int32_t node : space.boundary_nodes(mesh, static_cast<std::int32_t>(index))) {
+    for (const std::int32_t node : space.boundary_nodes[static_cast<std::size_t>(index)]) {
         values_.push_back(
             {node * components + component, space.nodes[static_cast<std::size_t>(node)], expression});
         fixed_[static_cast<std::size_t>(values_.back().dof)] = 1;

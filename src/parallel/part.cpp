@@ -154,6 +154,10 @@ Part take_part(mesh::Mesh mesh, fem::Space space, int processes, int rank) {
     part.space.nodes = rows_of(space.nodes, 1, nodes.kept);
     part.space.dofmap.cell_nodes = std::move(cell_nodes);
     part.space.dofmap.node_count = static_cast<std::int32_t>(nodes.kept.size());
+    for (auto& on_boundary : part.space.boundary_nodes) {
+        std::erase_if(on_boundary, [&](std::int32_t node) { return nodes(node) < 0; });
+        std::ranges::transform(on_boundary, on_boundary.begin(), nodes);
+    }
     part.space.cellwise.node_count = part.mesh.cell_count();
     part.space.cellwise.cell_nodes.resize(cells.kept.size());
     std::iota(part.space.cellwise.cell_nodes.begin(), part.space.cellwise.cell_nodes.end(), 0);

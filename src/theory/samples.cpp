@@ -119,7 +119,7 @@ Samples take_samples(const scene::Scene& scene, const std::vector<Piece>& pieces
     }
     for (const auto& [name, boundary] : scene.boundaries) {
         const auto index = std::ranges::find(mesh.boundary_names, name) - mesh.boundary_names.begin();
-        const Nodes nodes = space.boundary_nodes(mesh, static_cast<std::int32_t>(index));
+        const Nodes& nodes = space.boundary_nodes[static_cast<std::size_t>(index)];
         sample_clamp(scene, boundary, nodes, sampler, samples);
         sample_boundary(boundary, nodes, sampler, samples);
     }

@@ -86,7 +86,7 @@ TEST_P(Spaces, FacetNodesLieOnTheirSide) {
 
 TEST_P(Spaces, BoundaryNodesAreSortedAndAll) {
     for (std::int32_t boundary = 0; boundary < 4; ++boundary) {
-        const auto nodes = space.boundary_nodes(mesh, boundary);
+        const auto nodes = space.boundary_nodes[static_cast<std::size_t>(boundary)];
         const int facets =
             mesh.boundary_names[boundary] == "bottom" || mesh.boundary_names[boundary] == "top" ? nx : ny;
         EXPECT_EQ(nodes.size(), static_cast<std::size_t>(GetParam().degree * facets + 1));

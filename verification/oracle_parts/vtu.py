@@ -1,6 +1,7 @@
 """VTK's unstructured grid files with inline binary data, and the collection of them over time: write and read.
 
-Data arrays are base64, little endian, uncompressed, each with its own UInt64 length before it.
+Data arrays are base64, little endian, uncompressed, each with its own UInt64 length before it. A grid may lie in
+pieces, one for each process that wrote it, listed in a PVTU file.
 """
 
 import base64
@@ -101,8 +102,13 @@ def _encoded(name: str, values: Array) -> str:
 
 
 def read_grid(path: Path) -> Grid:
-    """Raises ValueError or OSError where the file is no such grid of one cell type."""
+    """A VTU, or the pieces of a PVTU one after the other: points on a seam are there once a piece (`without_seams`).
+
+    Raises ValueError or OSError where the file is no such grid of one cell type.
+    """
     root = _parse(path)
+    if root.get("type") == "PUnstructuredGrid":
+        return _read_pieces(path, root)
     piece = root.find("UnstructuredGrid/Piece")
     if piece is None or root.get("header_type") != "UInt64" or root.get("compressor"):
         raise ValueError(f"{path}: not an uncompressed unstructured grid with UInt64 headers")
@@ -118,6 +124,52 @@ def read_grid(path: Path) -> Grid:
         point_data=_arrays(path, piece, "PointData"),
         cell_data=_arrays(path, piece, "CellData"),
     )
+
+
+def _read_pieces(path: Path, root: ElementTree.Element) -> Grid:
+    sources = [piece.get("Source", "") for piece in root.iter("Piece")]
+    if not sources:
+        raise ValueError(f"{path}: lists no piece")
+    pieces = [read_grid(path.parent / source) for source in sources]
+    for section, kind in (("PPointData", "point_data"), ("PCellData", "cell_data")):
+        declared = {entry.get("Name") for entry in root.findall(f"PUnstructuredGrid/{section}/PDataArray")}
+        for source, piece in zip(sources, pieces):
+            if set(getattr(piece, kind)) != declared:
+                raise ValueError(f"{path}: {section} declares other fields than {source} has")
+    filled = [piece for piece in pieces if len(piece.cells)] or pieces[:1]
+    if len({(piece.cell_type, piece.cells.shape[1]) for piece in filled}) > 1:
+        raise ValueError(f"{path}: more than one type of cell")
+    firsts = np.cumsum([0] + [len(piece.points) for piece in filled])
+    return Grid(
+        points=np.concatenate([piece.points for piece in filled]),
+        cells=np.concatenate([piece.cells + first for piece, first in zip(filled, firsts)]),
+        cell_type=filled[0].cell_type,
+        point_data=_joined([piece.point_data for piece in filled]),
+        cell_data=_joined([piece.cell_data for piece in filled]),
+    )
+
+
+def _joined(pieces: Sequence[Mapping[str, Array]]) -> dict[str, Array]:
+    return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
+
+
+def without_seams(grid: Grid) -> Grid:
+    """Points at one place become one, as the nodes are of which several pieces have a copy.
+
+    Raises ValueError where copies of a point differ in a field by a single bit: they are one number that a process sent
+    to the others, or an expression at the same place.
+    """
+    _, first, copy_of = np.unique(grid.points, axis=0, return_index=True, return_inverse=True)
+    if len(first) == len(grid.points):
+        return grid
+    copy_of = copy_of.ravel()
+    for name, values in grid.point_data.items():
+        differs = (values != values[first][copy_of]).reshape(len(values), -1).any(axis=1)
+        if differs.any():
+            place = grid.points[np.flatnonzero(differs)[0]]
+            raise ValueError(f"{name} at {place.tolist()} is not the same in all pieces that have this point")
+    data = {name: values[first] for name, values in grid.point_data.items()}
+    return Grid(grid.points[first], copy_of[grid.cells], grid.cell_type, data, grid.cell_data)
 
 
 def _parse(path: Path) -> ElementTree.Element:

@@ -12,6 +12,7 @@
 #include "error.h"
 #include "output/summary.h"
 #include "parallel/backend.h"
+#include "parallel/together.h"
 #include "scene/schema.h"
 
 namespace {
@@ -46,18 +47,18 @@ int report(int code, const std::string& reason) {
     return code;
 }
 
-/// Errors of scene and numerics meet all processes alike: the first one tells of them.
-int fail_together(const parallel::Backend* backend, int code, const std::string& reason) {
-    return parallel::is_first(backend) ? report(code, reason) : code;
-}
-
-/// Other errors may meet one process only: it tells, and ends them all.
-int fail_alone(const parallel::Backend* backend, const std::string& reason) {
-    report(app::exit_system_failed, reason);
-    if (backend != nullptr && backend->team().size() > 1) {
-        backend->abort(app::exit_system_failed);
+/// An error that all processes meet the first one tells of. One that the others know nothing of is told by
+/// the process that meets it, which ends them all.
+int fail(const parallel::Backend* backend, int code, const std::string& reason) {
+    const bool alone = backend == nullptr || backend->team().size() == 1;
+    const bool together = alone || backend->all_meet();
+    if (!together || parallel::is_first(backend)) {
+        report(code, reason);
     }
-    return app::exit_system_failed;
+    if (!together) {
+        backend->abort(code);
+    }
+    return code;
 }
 
 }  // namespace
@@ -67,15 +68,18 @@ int main(int argc, char** argv) {
     std::unique_ptr<parallel::Backend> backend;
     try {
         backend = parallel::open_backend(argc, argv);
+        if (!parallel::is_first(backend.get())) {  // what is printed is printed once
+            std::cout.setstate(std::ios::failbit);
+        }
         return std::visit([&](const auto& command) { return execute(command, backend.get()); },
                           app::parse_command_line(argc, argv));
     } catch (const SceneError& error) {
-        return fail_together(backend.get(), app::exit_bad_input, error.what());
+        return fail(backend.get(), app::exit_bad_input, error.what());
     } catch (const NumericsError& error) {
-        return fail_together(backend.get(), app::exit_numerics_failed, error.what());
+        return fail(backend.get(), app::exit_numerics_failed, error.what());
     } catch (const std::bad_alloc&) {
-        return fail_alone(backend.get(), "out of memory; use a coarser mesh or degree");
+        return fail(backend.get(), app::exit_system_failed, parallel::out_of_memory);
     } catch (const std::exception& error) {
-        return fail_alone(backend.get(), error.what());
+        return fail(backend.get(), app::exit_system_failed, error.what());
     }
 }

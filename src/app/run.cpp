@@ -12,6 +12,7 @@
 #include "output/files.h"
 #include "output/progress.h"
 #include "output/results.h"
+#include "parallel/together.h"
 #include "scene/reader.h"
 
 namespace thermocontact::app {
@@ -44,16 +45,18 @@ int march_on(march::Simulation& simulation, output::Results& results, output::Pr
 /// Assembles and factors; a scene that cannot be factored leaves a summary that says so.
 std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const std::filesystem::path& folder,
                                            const parallel::Backend* backend) {
-    if (parallel::is_first(
-            backend)) {  // before all else: a folder that cannot be written to would waste the work
-        output::make_folder(folder);
-    }
+    const bool speaks = parallel::is_first(backend);
+    parallel::together(parallel::team_of(backend), [&] {
+        if (speaks) {  // before all else: a folder that cannot be written to would waste the work
+            output::make_folder(folder);
+        }
+    });
     try {
         return std::make_unique<march::Simulation>(scene, model::Sources{}, backend);
     } catch (const parallel::BackendNeeded&) {
         parallel::continue_with_petsc();
     } catch (const NumericsError& error) {
-        if (parallel::is_first(backend)) {
+        if (speaks) {
             output::write_setup_failure(folder, scene, error.what());
         }
         throw;

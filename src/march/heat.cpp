@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "march/assembler.h"
+#include "parallel/together.h"
 #include "stopwatch.h"
 
 namespace thermocontact::march {
@@ -46,7 +47,7 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
            const std::vector<model::Source>& sources)
     : team_(&strategy.team()),
       capacity_density_(model::uniform_capacity(scene)),
-      loads_(model::Loads::thermal(scene, mesh, space, sources)),
+      loads_(parallel::together(*team_, [&] { return model::Loads::thermal(scene, mesh, space, sources); })),
       stage_(initial.temperature) {
     const Assembler assemble{scene, mesh, space, graph};
     capacity_ = assemble.when(scene.heat->capacity.has_value(), "heat_capacity.capacity", 1, 1);
@@ -78,7 +79,7 @@ void Heat::restart(const State& state) {
 void Heat::begin(const StepRule& rule, const State& state) {
     rule_ = rule;
     balance_->use(rule.tau);
-    load_ = &loads_.at(rule.stage_time());
+    load_ = parallel::together(*team_, [&] { return &loads_.at(rule.stage_time()); });
     if (rule.memory() != 0) {
         extrapolate(rule.memory(), state.temperature, state.temperature_rate, stage_);
         product(capacity_, stage_, base_stored_);
@@ -86,7 +87,7 @@ void Heat::begin(const StepRule& rule, const State& state) {
     extrapolate(rule.alpha * rule.step, state.temperature, state.temperature_rate, expected_);
     stage_ = expected_;
     new_temperature_ = state.temperature;
-    balance_->prescribed().apply(rule.end, new_temperature_);
+    parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_temperature_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
         stage_[i] = state.temperature[i] + rule.alpha * (new_temperature_[i] - state.temperature[i]);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "march/assembler.h"
+#include "parallel/together.h"
 #include "stopwatch.h"
 
 namespace thermocontact::march {
@@ -62,7 +63,8 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
     : team_(&strategy.team()),
       dimension_(scene.dimension),
       density_(model::uniform_density(scene)),
-      loads_(model::Loads::mechanical(scene, mesh, space, sources)),
+      loads_(
+          parallel::together(*team_, [&] { return model::Loads::mechanical(scene, mesh, space, sources); })),
       stage_velocity_(initial.velocity),
       base_displacement_(initial.displacement),
       stage_displacement_(initial.displacement) {
@@ -112,7 +114,7 @@ void Momentum::restart(const State& state) {
 void Momentum::begin(const StepRule& rule, const State& state) {
     rule_ = rule;
     balance_->use(rule.tau);
-    load_ = &loads_.at(rule.stage_time());
+    load_ = parallel::together(*team_, [&] { return &loads_.at(rule.stage_time()); });
     extrapolate(rule.memory(), state.displacement, state.displacement_rate, base_displacement_);
     if (rule.memory() != 0) {
         extrapolate(rule.memory(), state.velocity, state.velocity_rate, base_velocity_);
@@ -120,7 +122,7 @@ void Momentum::begin(const StepRule& rule, const State& state) {
     }
     extrapolate(rule.alpha * rule.step, state.velocity, state.velocity_rate, stage_velocity_);
     new_displacement_ = state.displacement;
-    balance_->prescribed().apply(rule.end, new_displacement_);
+    parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_displacement_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
         const double u = state.displacement[i];

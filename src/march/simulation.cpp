@@ -7,6 +7,7 @@
 #include "mesh/shapes.h"
 #include "model/nodal.h"
 #include "number.h"
+#include "parallel/together.h"
 #include "solve/available_memory.h"
 
 namespace thermocontact::march {
@@ -16,8 +17,7 @@ namespace {
 constexpr int most_coupling_iterations = 50;
 
 parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend) {
-    const parallel::Alone alone;
-    const parallel::Team& team = backend != nullptr ? backend->team() : alone;
+    const parallel::Team& team = parallel::team_of(backend);
     const parallel::Phase phase(backend, "mesh");
     mesh::Mesh mesh = mesh::make_mesh(scene.mesh);
     fem::Space space = fem::make_space(mesh, scene.degree);
@@ -31,11 +31,13 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
     : scene_(&scene),
       part_(make_part(scene, backend)),
       graph_(fem::make_node_graph(part_.space)),
-      surfaces_(model::make_contact_surfaces(scene, part_.mesh, part_.space)),
+      surfaces_(
+          parallel::together(parallel::team_of(backend),
+                             [&] { return model::make_contact_surfaces(scene, part_.mesh, part_.space); })),
       choice_(choose_strategy(scene, graph_, part_, surfaces_, backend, solve::available_memory())),
       scheme_(scene.time) {
     const parallel::Phase phase(backend, "assembly");
-    initialise();
+    parallel::together(team(), [&] { initialise(); });
     if (scene.material) {
         momentum_.emplace(scene, part_.mesh, part_.space, graph_, *choice_.strategy, surfaces_, state_,
                           sources.mechanical);
@@ -116,7 +118,7 @@ StepRule Simulation::rule(const Subdivision& parts) const {
 }
 
 void Simulation::take(const StepRule& rule, StepCounts& counts) {
-    model::update(surfaces_, part_.space, rule.stage_time());
+    parallel::together(team(), [&] { model::update(surfaces_, part_.space, rule.stage_time()); });
     if (momentum_) {
         momentum_->begin(rule, state_);
     }
@@ -133,7 +135,7 @@ void Simulation::take(const StepRule& rule, StepCounts& counts) {
     state_.time = rule.end;
     state_.last_step = scheme_.carries_rates() ? rule.step : 0;
     if (rule.stage_time() != rule.end) {
-        model::update(surfaces_, part_.space, rule.end);
+        parallel::together(team(), [&] { model::update(surfaces_, part_.space, rule.end); });
     }
     ++counts.parts;
 }

@@ -8,6 +8,7 @@
 #include "number.h"
 #include "output/files.h"
 #include "output/summary.h"
+#include "parallel/together.h"
 
 namespace thermocontact::output {
 namespace {
@@ -48,7 +49,7 @@ void clear(const std::filesystem::path& folder) {
 
 Results::Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation)
     : folder_(std::move(folder)), scene_(&scene), simulation_(&simulation), grids_(scene, simulation) {
-    if (first_process()) {
+    if_first([&] {  // the others wait for the folder
         make_folder(folder_);
         clear(folder_);
         history_.open(folder_ / "history.csv", std::ios::trunc);
@@ -58,14 +59,22 @@ Results::Results(std::filesystem::path folder, const scene::Scene& scene, march:
         if (!scene.output.fields.empty()) {
             make_folder(folder_ / "fields");
         }
-    }
-    simulation.team().sum(0);  // the others wait for the folder
+    });
     add_fields();
+}
+
+void Results::if_first(const std::function<void()>& work) const {
+    const parallel::Team& team = simulation_->team();
+    parallel::together(team, [&] {
+        if (team.rank() == 0) {
+            work();
+        }
+    });
 }
 
 march::Record Results::add_step() {
     march::Record record = simulation_->record();
-    if (first_process()) {
+    if_first([&] {
         if (history_.tellp() == 0) {
             write_row(history_, record, true);
         }
@@ -73,7 +82,7 @@ march::Record Results::add_step() {
         if (!history_) {
             throw SystemError("cannot write " + (folder_ / "history.csv").string() + " (disk full?)");
         }
-    }
+    });
     const int step = simulation_->state().step;
     if (step % scene_->output.every == 0 || simulation_->finished()) {
         add_fields();
@@ -82,23 +91,23 @@ march::Record Results::add_step() {
 }
 
 void Results::write_grid(const std::string& name, const VtuGrid& grid) {
-    const int step = simulation_->state().step, processes = simulation_->team().size();
-    const int part = name == "body" ? 0 : 1;
-    const std::string collected = numbered(name, step, processes == 1 ? ".vtu" : ".pvtu");
-    entries_.push_back({simulation_->state().time, part, collected});
-    if (processes == 1) {
-        write_whole(folder_ / collected, to_vtu(grid));
-        return;
+    const int step = simulation_->state().step;
+    const parallel::Team& team = simulation_->team();
+    const bool alone = team.size() == 1;
+    const std::string whole = numbered(name, step, alone ? ".vtu" : ".pvtu");
+    const std::string own = alone ? whole : numbered(name, step, piece(team.rank()));
+    parallel::together(team, [&] { write_whole(folder_ / own, to_vtu(grid)); });
+    if (!alone) {  // lists pieces that are there
+        if_first([&] {
+            std::vector<std::string> files;
+            files.reserve(static_cast<std::size_t>(team.size()));
+            for (int rank = 0; rank < team.size(); ++rank) {
+                files.push_back(std::filesystem::path(numbered(name, step, piece(rank))).filename());
+            }
+            write_whole(folder_ / whole, to_pvtu(grid, files));
+        });
     }
-    write_whole(folder_ / numbered(name, step, piece(simulation_->team().rank())), to_vtu(grid));
-    if (first_process()) {
-        std::vector<std::string> files;
-        files.reserve(static_cast<std::size_t>(processes));
-        for (int rank = 0; rank < processes; ++rank) {
-            files.push_back(std::filesystem::path(numbered(name, step, piece(rank))).filename());
-        }
-        write_whole(folder_ / collected, to_pvtu(grid, files));
-    }
+    entries_.push_back({simulation_->state().time, name == "body" ? 0 : 1, whole});
 }
 
 void Results::add_fields() {
@@ -110,17 +119,13 @@ void Results::add_fields() {
     if (grids_.has_contact()) {
         write_grid("contact", grids_.contact());
     }
-    if (first_process()) {
-        write_whole(folder_ / "fields.pvd", to_pvd(entries_));
-    }
+    if_first([&] { write_whole(folder_ / "fields.pvd", to_pvd(entries_)); });
     last_fields_ = step;
 }
 
 void Results::finish(const std::string& status, const std::string& reason, const Seconds& seconds) {
     const nlohmann::ordered_json content = summary(*scene_, *simulation_, status, reason, seconds);
-    if (first_process()) {
-        write_whole(folder_ / "summary.json", content.dump(2) + "\n");
-    }
+    if_first([&] { write_whole(folder_ / "summary.json", content.dump(2) + "\n"); });
 }
 
 void write_setup_failure(const std::filesystem::path& folder, const scene::Scene& scene,

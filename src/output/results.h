@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,7 @@ class Results {
     void finish(const std::string& status, const std::string& reason, const Seconds& seconds);
 
   private:
-    bool first_process() const { return simulation_->team().rank() == 0; }
+    void if_first(const std::function<void()>& work) const;  ///< called by all, done by the first process
     void write_grid(const std::string& name, const VtuGrid& grid);
 
     std::filesystem::path folder_;

@@ -17,6 +17,10 @@ class Backend {
     virtual ~Backend() = default;
     virtual const Team& team() const = 0;
 
+    /// Waits a few seconds for all others to call this as well; whether they did. It may be called in an
+    /// error, where others may be waiting for this process elsewhere.
+    virtual bool all_meet() const = 0;
+
     /// Ends all processes at once: an error that the others do not know of.
     [[noreturn]] virtual void abort(int code) const = 0;
 
@@ -53,9 +57,15 @@ class Phase {
     const Backend* backend_;
 };
 
-/// Whether this process speaks for all: without a backend it is alone.
+/// Without a backend the process is alone.
+inline const Team& team_of(const Backend* backend) {
+    static const Alone alone;
+    return backend != nullptr ? backend->team() : alone;
+}
+
+/// Whether this process speaks for all.
 inline bool is_first(const Backend* backend) {
-    return backend == nullptr || backend->team().rank() == 0;
+    return team_of(backend).rank() == 0;
 }
 
 /// In `thermocontact`: nothing, and `thermocontact-petsc` takes over where mpirun started the process. In

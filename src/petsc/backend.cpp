@@ -3,15 +3,22 @@
 #include <mpi.h>
 #include <petscsys.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "petsc/check.h"
 #include "petsc/krylov.h"
+#include "stopwatch.h"
 
 namespace thermocontact::petsc {
 namespace {
+
+/// Seconds that a failing process waits for the others to fail as well, and how much longer each waits than
+/// the one before it: of several, not of all, the first one tells, and ends the others before they do.
+constexpr double patience = 3.0, more_patience = 0.3;
 
 class MpiTeam final : public parallel::Team {
   public:
@@ -72,12 +79,29 @@ class PetscBackend final : public parallel::Backend {
         if (team_->size() > 1) {  // GAMG's own choice takes a third more memory
             set_default("-matptap_via", "allatonce_merged");
         }
+        MPI_Comm_dup(PETSC_COMM_WORLD, &meeting_);
     }
-    ~PetscBackend() override { PetscFinalize(); }
+    ~PetscBackend() override {
+        MPI_Comm_free(&meeting_);
+        PetscFinalize();
+    }
     PetscBackend(const PetscBackend&) = delete;
     PetscBackend& operator=(const PetscBackend&) = delete;
 
     const parallel::Team& team() const override { return *team_; }
+
+    /// On a communicator of its own: whatever the others wait for meanwhile, it is not this.
+    bool all_meet() const override {
+        MPI_Request barrier = MPI_REQUEST_NULL;
+        MPI_Ibarrier(meeting_, &barrier);
+        const Stopwatch waited;
+        int all_here = 0;
+        while (all_here == 0 && waited.seconds() < patience + more_patience * team_->rank()) {
+            MPI_Test(&barrier, &all_here, MPI_STATUS_IGNORE);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return all_here != 0;
+    }
 
     [[noreturn]] void abort(int code) const override {
         MPI_Abort(PETSC_COMM_WORLD, code);
@@ -101,6 +125,7 @@ class PetscBackend final : public parallel::Backend {
   private:
     std::vector<char*> words_;
     std::unique_ptr<MpiTeam> team_;
+    MPI_Comm meeting_ = MPI_COMM_NULL;
 };
 
 }  // namespace

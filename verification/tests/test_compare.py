@@ -21,6 +21,8 @@ from oracle_parts import vtu
 EPSILON = 1e-3
 Change = Callable[[dict[tuple[int, int], vtu.Grid], dict[str, Any]], None]
 
+PieceChange = Callable[[list[vtu.Grid]], None]
+
 
 def grids() -> dict[tuple[int, int], vtu.Grid]:
     """By (step, part): two triangles, and two contact facets that meet in (1, 0)."""
@@ -65,6 +67,39 @@ def write(directory: Path, change: Change | None = None, times: tuple[float, ...
         datasets.append(vtu.DataSet(times[step], part, name))
     vtu.write_collection(directory / "fields.pvd", datasets)
     (directory / "summary.json").write_text(json.dumps(numbers))
+
+
+def into_pieces(directory: Path, step: int, part: int, change: PieceChange | None = None) -> None:
+    """Replaces a grid by a PVTU of three pieces: the cells one by one, and a process without any."""
+    collection = directory / "fields.pvd"
+    grid = grids()[step, part]
+    pieces = []
+    for cells in (grid.cells[:1], grid.cells[1:], grid.cells[:0]):
+        nodes, local = np.unique(cells, return_inverse=True)
+        rows = slice(0, 1) if len(pieces) == 0 else slice(1, 2) if len(pieces) == 1 else slice(0, 0)
+        pieces.append(
+            vtu.Grid(
+                grid.points[nodes],
+                local.reshape(cells.shape),
+                grid.cell_type,
+                {name: values[nodes] for name, values in grid.point_data.items()},
+                {name: values[rows] for name, values in grid.cell_data.items()},
+            )
+        )
+    if change:
+        change(pieces)
+    stem = f"{compare.PARTS[part]}_{step:06d}"
+    for number, piece in enumerate(pieces):
+        vtu.write_grid(directory / f"fields/{stem}_p{number}.vtu", piece)
+    fields = [f'<PDataArray type="Float64" Name="{name}"/>' for name in grid.point_data]
+    of_cells = [f'<PDataArray type="Float64" Name="{name}"/>' for name in grid.cell_data]
+    sources = [f'<Piece Source="{stem}_p{number}.vtu"/>' for number in range(len(pieces))]
+    (directory / f"fields/{stem}.pvtu").write_text(
+        f'<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid><PPointData>{"".join(fields)}</PPointData>'
+        f'<PCellData>{"".join(of_cells)}</PCellData>{"".join(sources)}</PUnstructuredGrid></VTKFile>'
+    )
+    (directory / f"fields/{stem}.vtu").unlink()
+    collection.write_text(collection.read_text().replace(f"{stem}.vtu", f"{stem}.pvtu"))
 
 
 def point_change(part: int, name: str, at: Any, by: float, step: int = 1) -> Change:
@@ -168,6 +203,48 @@ class CompareTest(unittest.TestCase):
             del data[1, 1]
 
         self.assertEqual(self.code_after(change), 2)
+
+    def code_of_pieces(self, part: int, change: PieceChange | None = None) -> int:
+        write(self.b)
+        into_pieces(self.b, 1, part, change)
+        return self.code()
+
+    def test_pieces_are_one_grid(self) -> None:
+        self.assertEqual(self.code_of_pieces(0), 0)
+
+    def test_pieces_of_the_contact_keep_their_points(self) -> None:
+        self.assertEqual(self.code_of_pieces(1), 0)
+
+    def test_a_value_in_one_piece(self) -> None:
+        def change(pieces: list[vtu.Grid]) -> None:
+            pieces[1].point_data["temperature"][1] += 1e-7  # type: ignore[index]  # of the point at (2, 0)
+
+        self.assertEqual(self.code_of_pieces(0, change), 1)
+
+    def test_a_seam_that_does_not_fit(self) -> None:
+        def change(pieces: list[vtu.Grid]) -> None:
+            pieces[1].point_data["temperature"][0] += 1e-14  # type: ignore[index]  # of the shared (1, 0)
+
+        self.assertEqual(self.code_of_pieces(0, change), 2)
+        self.assertIn("temperature at [1.0, 0.0, 0.0] is not the same in all pieces", self.output.getvalue())
+
+    def test_a_cell_that_two_pieces_have(self) -> None:
+        def change(pieces: list[vtu.Grid]) -> None:
+            pieces[2] = pieces[0]
+
+        self.assertEqual(self.code_of_pieces(0, change), 2)
+
+    def test_a_field_that_one_piece_lacks(self) -> None:
+        def change(pieces: list[vtu.Grid]) -> None:
+            pieces[0] = replace(pieces[0], cell_data={})
+
+        self.assertEqual(self.code_of_pieces(0, change), 2)
+
+    def test_a_piece_that_is_missing(self) -> None:
+        write(self.b)
+        into_pieces(self.b, 1, 0)
+        (self.b / "fields/body_000001_p1.vtu").unlink()
+        self.assertEqual(self.code(), 2)
 
     def test_other_mesh(self) -> None:
         def change(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:

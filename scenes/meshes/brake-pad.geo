@@ -1,5 +1,5 @@
 // A brake pad on its backing plate, with a slot across the middle of the lining: lengths in m.
-//   gmsh -3 -format msh41 brake-pad.geo -o brake-pad.msh
+//   python3 make.py, or gmsh -3 -format msh41 brake-pad.geo -o brake-pad.msh
 // The lining slides along x on a disc below it; the plate is pressed down from above.
 length = 0.08; depth = 0.04; lining = 0.010; plate = 0.005; slot = 0.006; slotDepth = 0.006;
 SetFactory("OpenCASCADE");

@@ -1,5 +1,5 @@
 // A hub pressed onto a tapered shaft, a quarter of its section: lengths in m.
-//   gmsh -2 -format msh22 press-fit.geo -o press-fit.msh
+//   python3 make.py, or gmsh -2 -format msh22 press-fit.geo -o press-fit.msh
 // The shaft is rigid and lies inside the hub; the hub is split into a bush (inner) and a rim (outer).
 inner = 0.020; middle = 0.026; outer = 0.040; around = 24; through = 4; beyond = 6;
 Point(1) = {0, 0, 0};

@@ -197,6 +197,7 @@ void Reader::check_plane() const {
 void Reader::read_facets(const FacetMap& facets) {
     const auto boundary_of = number_groups(mesh_.dimension - 1, mesh_.boundary_names);
     std::vector<std::int32_t> vertices;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> taken;  // boundary by cell and local number
     for (const GmshElements* elements : elements_of(mesh_.dimension - 1)) {
         const auto boundary = boundary_of.find(elements->entity);
         if (boundary == boundary_of.end()) {
@@ -219,13 +220,20 @@ void Reader::read_facets(const FacetMap& facets) {
             if (found->second.size() > 1) {
                 fail(element + " lies inside the body, between two cells; expected facets on its surface");
             }
-            mesh_.facets.push_back({found->second[0].cell, found->second[0].local, boundary->second});
+            const CellFacet& at = found->second.front();
+            const auto [other, is_new] = taken.emplace(std::pair(at.cell, at.local), boundary->second);
+            if (other->second != boundary->second) {
+                fail(element + " belongs to the boundary " +
+                     in_quotes(mesh_.boundary_names[static_cast<std::size_t>(other->second)]) +
+                     " as well; expected each facet in one physical group");
+            }
+            if (is_new) {
+                mesh_.facets.push_back({at.cell, at.local, boundary->second});
+            }
         }
     }
-    const auto place = [](const Facet& f) { return std::tuple(f.boundary, f.cell, f.local); };
-    std::ranges::sort(mesh_.facets, {}, place);
-    const auto same = [&](const Facet& a, const Facet& b) { return place(a) == place(b); };
-    mesh_.facets.erase(std::unique(mesh_.facets.begin(), mesh_.facets.end(), same), mesh_.facets.end());
+    std::ranges::sort(mesh_.facets, {},
+                      [](const Facet& f) { return std::tuple(f.boundary, f.cell, f.local); });
 }
 
 Mesh Reader::read() {

@@ -193,6 +193,42 @@ TEST(Gmsh, BoundaryInsideTheBodyOrBesideIt) {
     expect_message(square.text(), ": element 1 of the boundary \"bottom\" is no facet of a cell");
 }
 
+/// A facet that two groups claim, as one entity with both or as two elements.
+TEST(Gmsh, FacetInTwoGroups) {
+    Square square;
+    square.elements =
+        "$Elements\n4\n1 1 2 1 1 1 2\n2 1 2 2 1 1 2\n3 2 2 3 1 1 2 3\n4 2 2 3 1 1 3 4\n$EndElements\n";
+    expect_message(square.text(),
+                   R"(: the boundaries "bottom" and "top" share the entity 1; expected each entity in one)");
+    square.elements =
+        "$Elements\n4\n1 1 2 1 1 1 2\n2 1 2 2 3 2 1\n3 2 2 3 1 1 2 3\n4 2 2 3 1 1 3 4\n$EndElements\n";
+    expect_message(
+        square.text(),
+        R"(: element 2 of the boundary "top" belongs to the boundary "bottom" as well; expected each)");
+    square.elements =  // twice in one group: once
+        "$Elements\n4\n1 1 2 1 1 1 2\n2 1 2 1 3 2 1\n3 2 2 3 1 1 2 3\n4 2 2 3 1 1 3 4\n$EndElements\n";
+    EXPECT_EQ(read(square.text()).facets.size(), 1U);
+}
+
+TEST(Gmsh, CellInTwoRegions) {
+    Square square;
+    square.names = "$PhysicalNames\n2\n2 3 \"body\"\n2 4 \"core\"\n$EndPhysicalNames\n";
+    square.elements = "$Elements\n3\n3 2 2 3 1 1 2 3\n4 2 2 3 1 1 3 4\n5 2 2 4 2 1 3 4\n$EndElements\n";
+    expect_message(square.text(), ": elements ");
+    square.elements = "$Elements\n3\n3 2 2 3 1 1 2 3\n4 2 2 3 1 1 3 4\n5 2 2 4 1 1 3 4\n$EndElements\n";
+    expect_message(square.text(), R"(: the regions "body" and "core" share the entity 1)");
+}
+
+/// Gmsh writes the points of the geometry as well, like the centre of an arc: no cell has them, nor does the
+/// mesh.
+TEST(Gmsh, NodesOfNoCellAreLeftOut) {
+    Square square;
+    square.nodes = "$Nodes\n6\n9 7 7 7\n1 0 0 0\n2 1 0 0\n3 1 1 0\n8 0 0 0\n4 0 1 0\n$EndNodes\n";
+    const Mesh mesh = read(square.text());
+    EXPECT_EQ(mesh.points.size(), 4U);
+    EXPECT_EQ(mesh.cells, (std::vector<std::int32_t>{0, 1, 2, 0, 2, 3}));
+}
+
 TEST(Gmsh, NodeThatIsNotThere) {
     Square square;
     square.elements = "$Elements\n1\n3 2 2 3 1 1 2 7\n$EndElements\n";

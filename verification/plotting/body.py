@@ -6,38 +6,19 @@ from typing import Any
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize, PowerNorm
-from matplotlib.tri import Triangulation
 
-from oracle_parts import vtu
 from plotting.results import Array
 from plotting.style import PANEL, Album, Case, panels
+from plotting.surface import View, outline, surface, triangulation, view_of
 
 MESH_COLOUR, OUTLINE_COLOUR = "#0072B2", "#333333"
 LARGEST_SHARE = 0.12  # of the body's extent: displacements are drawn no larger
 VECTOR_CELLS = 20000  # finer meshes become bitmaps within the PDF
 MARGIN = 0.04
+TRIAD = 30.0  # points, the length of the arrows
 CONTRAST = (
     4.0  # between the cases: above it the colours go by the square root, or the weaker one would be black
 )
-
-
-def edges(grid: vtu.Grid) -> tuple[Array, Array]:
-    """The mesh's edges as rows of nodes from end to end, and the same of the outline only."""
-    quadratic = grid.cell_type == vtu.QUADRATIC_TRIANGLE
-    rows = ((0, 3, 1), (1, 4, 2), (2, 5, 0)) if quadratic else ((0, 1), (1, 2), (2, 0))
-    every = np.concatenate([grid.cells[:, row] for row in rows])
-    ends = np.sort(every[:, [0, -1]], axis=1)
-    _, first, count = np.unique(ends, axis=0, return_index=True, return_counts=True)
-    return every[first], every[first[count == 1]]
-
-
-def triangulation(grid: vtu.Grid) -> Triangulation:
-    """Straight triangles through all nodes: four to a quadratic one."""
-    cells = grid.cells
-    if grid.cell_type == vtu.QUADRATIC_TRIANGLE:
-        parts = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
-        cells = np.stack([cells[:, part] for part in parts], axis=1).reshape(-1, 3)
-    return Triangulation(grid.points[:, 0], grid.points[:, 1], cells)
 
 
 def round_down(value: float) -> float:
@@ -53,11 +34,28 @@ def displacement_scale(cases: Sequence[Case]) -> float:
     return round_down(LARGEST_SHARE * extent / largest) if largest > 0.0 else 1.0
 
 
+def view(case: Case) -> View:
+    grids = case.results.contact_grids if case.results.contact_names else []
+    return view_of(case.results.body, grids[-1] if grids else None)
+
+
 def finish(axes: Any, case: Case) -> None:
     axes.set_aspect("equal")
     axes.margins(MARGIN)
     axes.set_title(f"{case.label}, t = {case.results.final_time:g} s")
-    axes.set_xlabel("x (m)")
+    if view(case).solid:
+        draw_axes(axes, view(case))
+    else:
+        axes.set_xlabel("x (m)")
+
+
+def draw_axes(axes: Any, seen_from: View) -> None:
+    """The directions of x, y and z at the lower right, in place of axes with numbers."""
+    axes.set_axis_off()
+    for name, along in zip("xyz", TRIAD * seen_from.axes[:2].T):
+        arrow = {"arrowstyle": "<-", "color": OUTLINE_COLOUR, "shrinkA": 0.0, "shrinkB": 0.0}
+        where = {"xycoords": "axes fraction", "textcoords": "offset points"}
+        axes.annotate(name, (1.0, 0.0), xytext=tuple(along), arrowprops=arrow, ha="center", va="center", **where)
 
 
 def row_of_panels(cases: Sequence[Case]) -> tuple[Any, Any]:
@@ -70,19 +68,19 @@ def draw_deformed(cases: Sequence[Case], album: Album) -> None:
     scale = displacement_scale(cases)
     figure, row = row_of_panels(cases)
     for axes, case in zip(row, cases):
-        grid = case.results.body
-        every, outline = edges(grid)
-        moved = grid.points[:, :2] + scale * case.results.point_field("displacement")[:, :2]
-        mesh = LineCollection(moved[every], colors=MESH_COLOUR, linewidths=0.5)
-        mesh.set_rasterized(len(grid.cells) > VECTOR_CELLS)
+        grid, seen_from = case.results.body, view(case)
+        moved = grid.points + scale * case.results.point_field("displacement")
+        seen = surface(grid, seen_from, moved)
+        flat, every = seen_from.project(moved), seen.edges()[0]
+        if seen_from.solid:  # hides what lies behind
+            faces = triangulation(seen_from, moved, seen.triangles()[0])
+            axes.tripcolor(faces, np.zeros(len(moved)), cmap="Blues", vmin=-0.3, vmax=2.0, shading="gouraud")
+        mesh = LineCollection(flat[every], colors=MESH_COLOUR, linewidths=0.5)
+        mesh.set_rasterized(len(seen.cells) > VECTOR_CELLS)
         axes.add_collection(mesh)
+        before = seen_from.project(grid.points)[outline(grid, seen_from)]
         axes.add_collection(
-            LineCollection(
-                grid.points[outline][:, :, :2],
-                colors=OUTLINE_COLOUR,
-                linewidths=1.4,
-                linestyles="--",
-            )
+            LineCollection(before, colors=OUTLINE_COLOUR, linewidths=1.4, linestyles="--")
         )
         axes.autoscale_view()
         finish(axes, case)
@@ -108,9 +106,16 @@ def draw_temperature(cases: Sequence[Case], album: Album) -> None:
     norm, remark = common_colours(fields)
     figure, row = row_of_panels(cases)
     for axes, case, field in zip(row, cases, fields):
+        grid, seen_from = case.results.body, view(case)
+        triangles, _ = surface(grid, seen_from, grid.points).triangles()
         drawn = axes.tripcolor(
-            triangulation(case.results.body), field, shading="gouraud", cmap="inferno", norm=norm
+            triangulation(seen_from, grid.points, triangles),
+            field,
+            shading="gouraud",
+            cmap="inferno",
+            norm=norm,
         )
+        draw_outline(axes, case)
         finish(axes, case)
         note_range(axes, field, "K")
     figure.colorbar(drawn, ax=list(row), label=rf"temperature $\theta$ (K){remark}", shrink=0.85)
@@ -123,13 +128,15 @@ def draw_von_mises(cases: Sequence[Case], album: Album) -> None:
     high = colour_limits(fields)[1]
     figure, row = row_of_panels(cases)
     for axes, case, field in zip(row, cases, fields):
-        drawn_on = triangulation(case.results.body)
-        faces = np.repeat(field, len(drawn_on.triangles) // len(field))
-        drawn = axes.tripcolor(drawn_on, facecolors=faces, cmap="viridis", vmin=0.0, vmax=high)
+        grid, seen_from = case.results.body, view(case)
+        triangles, owners = surface(grid, seen_from, grid.points).triangles()
+        drawn_on = triangulation(seen_from, grid.points, triangles)
+        drawn = axes.tripcolor(drawn_on, facecolors=field[owners], cmap="viridis", vmin=0.0, vmax=high)
         # Neighbouring polygons would otherwise leave hairlines of background between them.
         drawn.set_edgecolor("face")
         drawn.set_linewidth(0.2)
-        drawn.set_rasterized(len(faces) > VECTOR_CELLS)
+        drawn.set_rasterized(len(owners) > VECTOR_CELLS)
+        draw_outline(axes, case)
         finish(axes, case)
         note_range(axes, field, "Pa")
     figure.colorbar(drawn, ax=list(row), label="von Mises stress, mean of each cell (Pa)", shrink=0.85)
@@ -137,6 +144,14 @@ def draw_von_mises(cases: Sequence[Case], album: Album) -> None:
     album.save(figure, "von-mises")
 
 
+def draw_outline(axes: Any, case: Case) -> None:
+    """Of a body in space, without which its edges are not seen."""
+    seen_from, grid = view(case), case.results.body
+    if seen_from.solid:
+        lines = seen_from.project(grid.points)[outline(grid, seen_from)]
+        axes.add_collection(LineCollection(lines, colors=OUTLINE_COLOUR, linewidths=0.6))
+
+
 def note_range(axes: Any, field: Array, unit: str) -> None:
     """What a common colour scale hides."""
-    axes.set_title(f"{axes.get_title()}: {field.min():.3g} to {field.max():.3g} {unit}")
+    axes.set_title(f"{axes.get_title()}\n{field.min():.3g} to {field.max():.3g} {unit}")

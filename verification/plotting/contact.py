@@ -5,9 +5,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from matplotlib.tri import Triangulation
 
+from oracle_parts import vtu
 from plotting.results import Array, ContactCurve
 from plotting.style import CURVES, OPEN_COLOUR, PANEL, Album, Case, panels
+from plotting.surface import TRIANGLES, plane_of
 
 HEIGHT = 2.9  # inches, of a panel with curves
 BELOW = 0.2  # of the largest penetration: how much of the opening is shown
@@ -19,6 +22,13 @@ class Quantity:
     label: str
     needs: str  # the field in the file
     of: Callable[[ContactCurve], Array]
+
+    def on_surface(self, surface: vtu.Grid) -> Array:
+        """Of a body in space: the value, or the length of a vector; the penetration where it is open is negative."""
+        values = surface.point_data[self.needs]
+        if values.ndim > 1:
+            return np.asarray(np.linalg.norm(values, axis=1))
+        return np.asarray(-values if self.needs == "gap" else values)
 
 
 PRESSURE = Quantity("Pressure", r"$p_n$ (Pa)", "pressure", lambda curve: curve.field("pressure"))
@@ -48,6 +58,9 @@ def curves(case: Case, boundary: str, wanted: Sequence[Quantity]) -> list[Contac
 
 def draw_final(cases: Sequence[Case], album: Album) -> None:
     for boundary in cases[0].results.contact_names:
+        if not cases[0].results.contact_is_curve:
+            draw_final_surface(cases, boundary, album)
+            continue
         wanted = quantities(cases, boundary)
         rows = (len(wanted) + 1) // 2
         figure, grid = panels(rows, 2, PANEL, HEIGHT, sharex=True)
@@ -63,6 +76,44 @@ def draw_final(cases: Sequence[Case], album: Album) -> None:
         time = ", ".join(sorted({f"t = {case.results.final_time:g} s" for case in cases}))
         figure.suptitle(f"Contact boundary '{boundary}' at {time}")
         album.save(figure, f"contact-{boundary}-final")
+
+
+def draw_final_surface(cases: Sequence[Case], boundary: str, album: Album) -> None:
+    """Seen along the axis in which the boundary extends least: a row for each quantity, or two quantities in a row."""
+    wanted = quantities(cases, boundary)
+    surfaces = [case.results.contact_surface(boundary, [q.needs for q in wanted]) for case in cases]
+    across, up = plane_of(surfaces[0].points)
+    width, height = np.ptp(surfaces[0].points, axis=0)[[across, up]]
+    rows, columns = (len(wanted), len(cases)) if len(cases) > 1 else ((len(wanted) + 1) // 2, 2)
+    size = 0.9 + 0.8 * PANEL * min(1.0, height / width)
+    figure, grid = panels(rows, columns, PANEL, size, sharex=True, sharey=True)
+    for axes in grid.flat[len(wanted) * len(cases) :]:
+        axes.remove()
+    for at, quantity in enumerate(wanted):
+        row = grid.flat[at * len(cases) : (at + 1) * len(cases)]
+        drawn = draw_surfaces(row, quantity, cases, surfaces)
+        figure.colorbar(drawn, ax=list(row), label=quantity.label)
+    for axes in grid[-1]:
+        axes.set_xlabel(f"{'xyz'[across]} (m)")
+    for axes in grid[:, 0]:
+        axes.set_ylabel(f"{'xyz'[up]} (m)")
+    time = ", ".join(sorted({f"t = {case.results.final_time:g} s" for case in cases}))
+    figure.suptitle(f"Contact boundary '{boundary}' at {time}")
+    album.save(figure, f"contact-{boundary}-final")
+
+
+def draw_surfaces(row: Any, quantity: Quantity, cases: Sequence[Case], surfaces: Sequence[vtu.Grid]) -> Any:
+    """One quantity for every case in common colours; the last picture, for the bar of colours."""
+    tables = [np.maximum(quantity.on_surface(surface), 0.0) for surface in surfaces]
+    largest = max(float(table.max()) for table in tables) or 1.0
+    across, up = plane_of(surfaces[0].points)
+    for axes, case, surface, table in zip(row, cases, surfaces, tables):
+        split = np.concatenate([surface.cells[:, part] for part in TRIANGLES[surface.cell_type]])
+        flat = Triangulation(surface.points[:, across], surface.points[:, up], split)
+        drawn = axes.tripcolor(flat, table, shading="gouraud", cmap="viridis", vmin=0.0, vmax=largest)
+        axes.set_aspect("equal")
+        axes.set_title(quantity.title if len(cases) == 1 else f"{quantity.title}, {case.label}")
+    return drawn
 
 
 def draw_profiles(
@@ -109,7 +160,10 @@ def shade_friction_bound(axes: Any, case: Case, curve: ContactCurve, boundary: s
 
 
 def draw_maps(cases: Sequence[Case], album: Album) -> None:
-    """Position against time in colours; grey where the contact is open."""
+    """Position against time in colours; grey where the contact is open. Nothing where the boundary is a surface."""
+    if not all(case.results.contact_is_curve for case in cases):
+        print("figures: the contact boundary is a surface, so no contact-maps")
+        return
     for boundary in cases[0].results.contact_names:
         wanted = [quantity for quantity in quantities(cases, boundary) if quantity in (PRESSURE, SLIP)]
         figure, grid = panels(len(wanted), len(cases), PANEL, 3.1, sharex=True, sharey=True)

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from plotting.contact import HEIGHT, SLIP, curves
-from plotting.results import Array
+from plotting.contact import HEIGHT
+from plotting.results import Array, Unusable
 from plotting.style import CURVES, PANEL, Album, Case, panels
 
 COLUMNS = (
@@ -22,9 +22,10 @@ Plot = Callable[[Any, Case, dict[str, Array], dict[str, str]], None]
 
 
 def forces(axes: Any, case: Case, history: dict[str, Array], look: dict[str, str]) -> None:
-    for component, width in (("x", 1.0), ("y", 2.2)):
-        label = f"{component}, {case.label}"
-        axes.plot(history["time"], history[f"contact_force_{component}"], label=label, **look, lw=width)
+    for component, width in (("x", 1.0), ("y", 2.2), ("z", 3.4)):
+        column = f"contact_force_{component}"
+        if column in history:
+            axes.plot(history["time"], history[column], label=f"{component}, {case.label}", **look, lw=width)
 
 
 def shares(axes: Any, case: Case, history: dict[str, Array], look: dict[str, str]) -> None:
@@ -39,15 +40,16 @@ def penetration(axes: Any, case: Case, history: dict[str, Array], look: dict[str
 
 def peak_slip(axes: Any, case: Case, history: dict[str, Array], look: dict[str, str]) -> None:
     peaks = np.zeros(len(case.results.steps))
-    for boundary in case.results.contact_names:
-        for at, curve in enumerate(curves(case, boundary, [SLIP])):
-            closed = np.abs(SLIP.of(curve))[~curve.is_open]
-            peaks[at] = max(peaks[at], float(closed.max(initial=0.0)))
+    for at, grid in enumerate(case.results.contact_grids):
+        if "slip_velocity" not in grid.point_data:
+            raise Unusable(f"{case.results.directory}: no field 'slip_velocity' on the contact boundary")
+        speeds = np.linalg.norm(grid.point_data["slip_velocity"], axis=1)
+        peaks[at] = speeds[grid.point_data["gap"] <= 0.0].max(initial=0.0)
     axes.plot([time for time, _ in case.results.steps][1:], peaks[1:], **look)
 
 
 PANELS: tuple[tuple[str, str, Plot], ...] = (
-    ("Force of the body on the foundation", "force (N/m)", forces),
+    ("Force of the body on the foundation", "force (N)", forces),
     ("Share of the boundary closed, slipping", "share (%)", shares),
     ("Largest slip velocity where closed", "velocity (m/s)", peak_slip),
     ("Largest penetration", "penetration (m)", penetration),
@@ -62,12 +64,14 @@ def legend_above_curves(axes: Any) -> None:
 
 def draw_history(cases: Sequence[Case], album: Album) -> None:
     figure, grid = panels(2, 2, PANEL, HEIGHT, sharex=True)
-    histories = [case.results.history(COLUMNS) for case in cases]
+    solid = not all(case.results.contact_is_curve for case in cases)
+    columns = (*COLUMNS, "contact_force_z") if solid else COLUMNS
+    histories = [case.results.history(columns) for case in cases]
     for axes, (title, label, plot) in zip(grid.flat, PANELS):
         for case, history, look in zip(cases, histories, CURVES):
             plot(axes, case, history, look)
         axes.set_title(title)
-        axes.set_ylabel(label)
+        axes.set_ylabel(label if solid else label.replace("(N)", "(N/m)"))
         if axes.get_legend_handles_labels()[0]:
             legend_above_curves(axes)
     for axes in grid[-1]:

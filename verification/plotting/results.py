@@ -14,7 +14,7 @@ import numpy.typing as npt
 from oracle_parts import vtu
 
 Array = npt.NDArray[Any]
-OPEN = 0  # of the field `state`
+CURVES = (3, 21)  # VTK's types of lines
 
 
 class Unusable(Exception):
@@ -75,11 +75,20 @@ class Results:
     @cached_property
     def body(self) -> vtu.Grid:
         """At the last step."""
-        return self._grid(self.steps[-1][1].get(0), "the body")
+        path = self.steps[-1][1].get(0)
+        try:
+            return vtu.without_seams(self._grid(path, "the body"))
+        except ValueError as problem:
+            raise Unusable(f"{path}: {problem}") from problem
 
     @cached_property
     def contact_grids(self) -> list[vtu.Grid]:
         return [self._grid(parts.get(1), "the contact boundary") for _, parts in self.steps]
+
+    @property
+    def contact_is_curve(self) -> bool:
+        """Or a surface, that of a body in space."""
+        return self.contact_grids[-1].cell_type in CURVES
 
     @property
     def contact_names(self) -> list[str]:
@@ -124,6 +133,17 @@ class Results:
             if name not in self.contact_grids[0].point_data:
                 raise Unusable(f"{self.directory}: no field '{name}' on the contact boundary")
         return [contact_curve(grid, index) for grid in self.contact_grids]
+
+    def contact_surface(self, boundary: str, needed: Sequence[str]) -> vtu.Grid:
+        """The facets of one boundary at the last step."""
+        grid, index = self.contact_grids[-1], self.contact_names.index(boundary)
+        for name in needed:
+            if name not in grid.point_data:
+                raise Unusable(f"{self.directory}: no field '{name}' on the contact boundary")
+        cells = grid.cells[grid.cell_data["boundary"] == index]
+        nodes, local = np.unique(cells, return_inverse=True)
+        data = {name: values[nodes] for name, values in grid.point_data.items()}
+        return vtu.Grid(grid.points[nodes], local.reshape(cells.shape), grid.cell_type, data, {})
 
     def history(self, columns: Iterable[str]) -> dict[str, Array]:
         path = self.directory / "history.csv"

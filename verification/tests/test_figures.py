@@ -1,0 +1,87 @@
+"""figures.py draws bodies in the plane and in space, of every cell and degree, from one process or several.
+
+Run from verification/: python3 -m unittest tests.test_figures (THERMOCONTACT names the driver)
+"""
+
+import contextlib
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import figures
+from plotting import surface
+from plotting.results import Results
+
+SCENES = Path(__file__).resolve().parents[2] / "scenes"
+DRIVER = os.environ.get("THERMOCONTACT", str(SCENES.parent / "build" / "thermocontact"))
+BODY = {"deformed.png", "temperature.png", "von-mises.png", "contact-history.png"}
+
+
+class Figures(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_scene(self, name: str, *settings: str, processes: int = 1) -> Path:
+        results = self.folder / f"{name}-{len(list(self.folder.iterdir()))}"
+        words = [word for setting in ("time.steps=1", *settings) for word in ("--set", setting)]
+        program = [DRIVER, "run", str(SCENES / f"{name}.toml"), "--quiet", "--output", str(results), *words]
+        start = [] if processes == 1 else ["mpirun", "-n", str(processes)]
+        subprocess.run([*start, *program], check=True, timeout=120)
+        return results
+
+    def draw(self, *folders: Path) -> set[str]:
+        output = folders[0] / "pictures"
+        with contextlib.redirect_stdout(None):
+            code = figures.main([*map(str, folders), "--output", str(output), "--small"])
+        self.assertEqual(code, 0)
+        return {path.name for path in output.iterdir()}
+
+    def test_a_solid_of_tetrahedra(self) -> None:
+        self.assertEqual(self.draw(self.run_scene("brake-pad")), BODY | {"contact-disc-final.png"})
+
+    def test_two_solids_side_by_side(self) -> None:
+        folders = [self.run_scene("socket"), self.run_scene("socket", "space.degree=2", "mesh.cells=[2,2,2]")]
+        self.assertEqual(self.draw(*folders), BODY | {"contact-bottom-final.png", "contact-right-final.png"})
+
+    def test_a_section_of_quadrilaterals(self) -> None:
+        of_the_bore = {"contact-bore-final.png", "contact-bore-maps.png"}
+        self.assertEqual(self.draw(self.run_scene("press-fit")), BODY | of_the_bore)
+
+    def test_pieces_of_several_processes(self) -> None:
+        self.assertEqual(self.draw(self.run_scene("brake-pad", processes=2)), BODY | {"contact-disc-final.png"})
+
+    def test_what_is_seen_of_a_box(self) -> None:
+        """Three of its faces, whole: their projected areas, and nodes of degree 2 midway between corners."""
+        for cell in ("simplex", "tensor"):
+            for degree in (1, 2):
+                with self.subTest(f"{cell}, {degree}"):
+                    results = self.run_scene("box", f'mesh.cell="{cell}"', f"space.degree={degree}")
+                    body = Results(results).body
+                    view = surface.view_of(body, None)
+                    seen = surface.surface(body, view, body.points)
+                    triangles, owners = seen.triangles()
+                    a, b, c = (view.project(body.points)[triangles[:, corner]] for corner in range(3))
+                    area = 0.5 * np.abs(np.cross(b - a, c - a)).sum()
+                    extent = np.ptp(body.points, axis=0)
+                    sides = extent[[1, 2, 0]] * extent[[2, 0, 1]]
+                    self.assertAlmostEqual(area, float(sides @ np.abs(view.axes[2])), delta=1e-12)
+                    self.assertTrue(np.isin(triangles, body.cells[owners]).all())
+                    for row in surface.EDGES[seen.cell_type]:
+                        ends = body.points[seen.cells[:, [row[0], row[-1]]]].mean(axis=1)
+                        middle = body.points[seen.cells[:, row[1]]] if len(row) == 3 else ends
+                        np.testing.assert_allclose(middle, ends, atol=1e-12)
+
+    def test_a_body_with_a_low_contact_boundary_is_seen_from_below(self) -> None:
+        results = Results(self.run_scene("socket"))
+        self.assertLess(surface.view_of(results.body, results.contact_grids[-1]).axes[2, 1], 0.0)
+        self.assertGreater(surface.view_of(results.body, None).axes[2, 1], 0.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -138,6 +138,24 @@ TEST_P(Parts, GlobalNumbersAreAPermutation) {
 const std::string rectangle = "mesh = {cells = [5, 4], upper = [2, 1], diagonal = \"crossed\"}\n";
 const std::string box = "mesh = {shape = \"box\", cells = [3, 2, 2], upper = [3, 2, 1]";
 
+/// Also where the facet is another part's: prescribed values concern every process that has the node.
+TEST_P(Parts, ANodeOfABoundaryIsOnItInEveryPart) {
+    for (std::size_t degree = 0; degree < spaces.size(); ++degree) {
+        for (const Part& part : parts[degree]) {
+            for (std::size_t boundary = 0; boundary < whole.boundary_names.size(); ++boundary) {
+                const auto& of_whole = spaces[degree].boundary_nodes[boundary];
+                std::vector<std::int32_t> expected;
+                for (std::size_t node = 0; node < part.numbers.whole.size(); ++node) {
+                    if (std::ranges::binary_search(of_whole, part.numbers.whole[node])) {
+                        expected.push_back(static_cast<std::int32_t>(node));
+                    }
+                }
+                EXPECT_EQ(part.space.boundary_nodes[boundary], expected);
+            }
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Meshes, Parts,
                          testing::Values(Case{"alone", rectangle, 1}, Case{"two", rectangle, 2},
                                          Case{"seven", rectangle, 7}, Case{"tetrahedra", box + "}\n", 3},

@@ -55,7 +55,9 @@ def draw_axes(axes: Any, seen_from: View) -> None:
     for name, along in zip("xyz", TRIAD * seen_from.axes[:2].T):
         arrow = {"arrowstyle": "<-", "color": OUTLINE_COLOUR, "shrinkA": 0.0, "shrinkB": 0.0}
         where = {"xycoords": "axes fraction", "textcoords": "offset points"}
-        axes.annotate(name, (1.0, 0.0), xytext=tuple(along), arrowprops=arrow, ha="center", va="center", **where)
+        axes.annotate(
+            name, (1.0, 0.0), xytext=tuple(along), arrowprops=arrow, ha="center", va="center", **where
+        )
 
 
 def row_of_panels(cases: Sequence[Case]) -> tuple[Any, Any]:
@@ -79,9 +81,7 @@ def draw_deformed(cases: Sequence[Case], album: Album) -> None:
         mesh.set_rasterized(len(seen.cells) > VECTOR_CELLS)
         axes.add_collection(mesh)
         before = seen_from.project(grid.points)[outline(grid, seen_from)]
-        axes.add_collection(
-            LineCollection(before, colors=OUTLINE_COLOUR, linewidths=1.4, linestyles="--")
-        )
+        axes.add_collection(LineCollection(before, colors=OUTLINE_COLOUR, linewidths=1.4, linestyles="--"))
         axes.autoscale_view()
         finish(axes, case)
     size = f"displacement × {scale:g}" + (" (true size)" if scale == 1.0 else "")

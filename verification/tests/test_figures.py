@@ -54,7 +54,9 @@ class Figures(unittest.TestCase):
         self.assertEqual(self.draw(self.run_scene("press-fit")), BODY | of_the_bore)
 
     def test_pieces_of_several_processes(self) -> None:
-        self.assertEqual(self.draw(self.run_scene("brake-pad", processes=2)), BODY | {"contact-disc-final.png"})
+        self.assertEqual(
+            self.draw(self.run_scene("brake-pad", processes=2)), BODY | {"contact-disc-final.png"}
+        )
 
     def test_what_is_seen_of_a_box(self) -> None:
         """Three of its faces, whole: their projected areas, and nodes of degree 2 midway between corners."""

@@ -104,7 +104,9 @@ class Processes(unittest.TestCase):
             with self.subTest(name):
                 full = self.results / f"{name}.part"
                 full.symlink_to("/dev/full")
-                self.expect(self.run_all(2), 1, f"cannot write {self.results}/{name}: No space left on device")
+                self.expect(
+                    self.run_all(2), 1, f"cannot write {self.results}/{name}: No space left on device"
+                )
                 full.unlink(missing_ok=True)
 
     def test_a_results_folder_that_cannot_be_made(self) -> None:
@@ -113,7 +115,11 @@ class Processes(unittest.TestCase):
 
     def test_numbers_that_are_infinite_on_one_process(self) -> None:
         pole = "1/max(0, x + y - 0.1)"  # infinite at one corner from some time on
-        for key, before in (("load.body_force", 1), ("boundary.bottom.contact.gap", 1), ("initial.velocity", 0)):
+        for key, before in (
+            ("load.body_force", 1),
+            ("boundary.bottom.contact.gap", 1),
+            ("initial.velocity", 0),
+        ):
             with self.subTest(key):
                 late = f"t < 0.5 ? 0 : {pole}" if before else pole
                 value = f'"{late}"' if key.endswith("gap") else f'["{late}", 0.0]'

@@ -17,6 +17,7 @@ using scene::one_of;
 struct Words {
     std::string scene;
     std::string output;
+    std::string restart;
     std::vector<std::string> overrides;
     std::string format = "toml";
     bool quiet = false;
@@ -44,6 +45,8 @@ Parser::Parser() {
     add_scene(*run);
     run->add_option("--output", words.output, "Directory of the results; default: SCENE's name with -results")
         ->type_name("DIR");
+    run->add_option("--restart", words.restart, "Checkpoint of this scene to go on from")
+        ->type_name("CHECKPOINT");
     run->add_flag("--quiet", words.quiet, "Print errors only");
 
     check = app.add_subcommand("check", "Validate a scene and print the physics found");
@@ -128,6 +131,13 @@ std::filesystem::path output_of(const CLI::App& run, const Words& words) {
     return std::filesystem::path(words.scene).stem().string() + "-results";
 }
 
+std::optional<std::filesystem::path> restart_of(const CLI::App& run, const Words& words) {
+    if (words.restart.empty() && run.get_option("--restart")->count() > 0) {
+        throw SceneError("run: --restart: expected a checkpoint file, found an empty name");
+    }
+    return words.restart.empty() ? std::nullopt : std::optional<std::filesystem::path>(words.restart);
+}
+
 Command command_of(const Parser& parser) {
     const Words& words = parser.words;
     const auto commands = parser.app.get_subcommands();
@@ -146,7 +156,8 @@ Command command_of(const Parser& parser) {
     }
     if (&command == parser.run) {
         const auto scene = scene_of(command, words);
-        return RunCommand{scene, output_of(command, words), words.overrides, words.quiet};
+        return RunCommand{scene, output_of(command, words), words.overrides, words.quiet,
+                          restart_of(command, words)};
     }
     if (&command == parser.check) {
         return CheckCommand{scene_of(command, words), words.overrides};

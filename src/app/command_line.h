@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,6 +15,7 @@ struct RunCommand {
         output;  ///< default: the scene file's stem with "-results", in the current directory
     std::vector<std::string> overrides;  ///< "KEY=VALUE", in the order given
     bool quiet = false;
+    std::optional<std::filesystem::path> restart = {};  ///< a checkpoint to go on from
 };
 
 struct CheckCommand {

@@ -1,12 +1,12 @@
 #include "app/run.h"
 
-#include <algorithm>
-#include <csignal>
-#include <cstdlib>
+#include <array>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/exit_code.h"
+#include "app/interruption.h"
 #include "app/process_age.h"
 #include "error.h"
 #include "output/files.h"
@@ -18,16 +18,10 @@
 namespace thermocontact::app {
 namespace {
 
-volatile std::sig_atomic_t caught_signal = 0;
-
-void catch_signal(int signal) {
-    caught_signal = signal;
-}
-
 /// Marches until the end or a signal; returns the signal, or 0.
 int march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress,
              output::Seconds& seconds, const parallel::Backend* backend) {
-    int signal = 0;
+    int signal = static_cast<int>(simulation.team().max(caught_signal()));
     while (!simulation.finished() && signal == 0) {
         timed(seconds.steps, [&] {
             const parallel::Phase phase(backend, "steps");
@@ -36,15 +30,33 @@ int march_on(march::Simulation& simulation, output::Results& results, output::Pr
         timed(seconds.output, [&] {
             const parallel::Phase phase(backend, "output");
             progress.step(simulation, results.add_step());
+            // not all catch a signal in the same step, and the first process says when a checkpoint is due
+            std::array<double, 2> heard{static_cast<double>(caught_signal()),
+                                        results.checkpoint_is_due() ? 1.0 : 0.0};
+            simulation.team().max(heard);
+            signal = static_cast<int>(heard[0]);
+            if (heard[1] > 0 && !simulation.finished() && signal == 0) {
+                results.add_checkpoint();
+            }
         });
-        signal = static_cast<int>(simulation.team().max(caught_signal));  // not all catch it in the same step
     }
     return signal;
 }
 
+/// The checkpoint to go on from; every process reads it, and all of them or none go on.
+std::optional<output::Checkpoint> read_earlier(const RunCommand& command, const scene::Scene& scene,
+                                               const parallel::Backend* backend) {
+    if (!command.restart) {
+        return std::nullopt;
+    }
+    return parallel::together(parallel::team_of(backend),
+                              [&] { return output::read_checkpoint(*command.restart, scene); });
+}
+
 /// Assembles and factors; a scene that cannot be factored leaves a summary that says so.
-std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const std::filesystem::path& folder,
+std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const RunCommand& command,
                                            const parallel::Backend* backend) {
+    const std::filesystem::path& folder = command.output;
     const bool speaks = parallel::is_first(backend);
     parallel::together(parallel::team_of(backend), [&] {
         if (speaks) {  // before all else: a folder that cannot be written to would waste the work
@@ -56,7 +68,7 @@ std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const std:
     } catch (const parallel::BackendNeeded&) {
         parallel::continue_with_petsc();
     } catch (const NumericsError& error) {
-        if (speaks) {
+        if (speaks && !command.restart) {
             output::write_setup_failure(folder, scene, error.what());
         }
         throw;
@@ -72,21 +84,28 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
     if (backend == nullptr && scene.solver.strategy == "newton-krylov") {
         parallel::continue_with_petsc();
     }
+    catch_interruptions();
     const bool speaks = parallel::is_first(backend);
     output::Progress progress(scene, command.quiet || !speaks);
-    const auto simulation = prepare(scene, command.output, backend);
+    const std::optional<output::Checkpoint> earlier = read_earlier(command, scene, backend);
+    const auto simulation = prepare(scene, command, backend);
+    if (earlier) {
+        simulation->resume(earlier->snapshot);
+    }
     output::Seconds seconds;
     seconds.factor = simulation->factor_seconds();
     seconds.start = start;
     seconds.setup = since_start.seconds() - seconds.factor;
     progress.header(*simulation);
 
-    std::signal(SIGINT, catch_signal);
-    std::signal(SIGTERM, catch_signal);
-    output::Results results =
-        timed(seconds.output, [&] { return output::Results(command.output, scene, *simulation); });
+    output::Results results = timed(seconds.output, [&] {
+        return output::Results(command.output, scene, *simulation, earlier ? &*earlier : nullptr);
+    });
     const auto finish = [&](const std::string& status, const std::string& reason) {
-        timed(seconds.output, [&] { results.add_fields(); });
+        timed(seconds.output, [&] {
+            results.add_fields();
+            results.add_checkpoint();
+        });
         seconds.total = start + since_start.seconds();
         seconds.steps -= simulation->factor_seconds() - seconds.factor;  // for step sizes met on the way
         seconds.factor = simulation->factor_seconds();

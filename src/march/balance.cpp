@@ -57,6 +57,23 @@ void Balance::use(double tau) {
     contact_.set_step(tau);
 }
 
+std::vector<KeptSystem> Balance::kept_systems() const {
+    std::vector<KeptSystem> kept;
+    for (const auto& system : systems_) {
+        if (auto derivative = system->problem->kept_derivative()) {
+            kept.push_back({system->tau, std::move(*derivative)});
+        }
+    }
+    return kept;
+}
+
+void Balance::take_up(const std::vector<KeptSystem>& kept) {
+    for (auto system = kept.rbegin(); system != kept.rend(); ++system) {
+        use(system->tau);
+        problem().take_up(system->derivative);
+    }
+}
+
 std::unique_ptr<Balance::System> Balance::prepare(double tau) {
     auto system = std::make_unique<System>(System{tau, assembly_(tau), nullptr});
     const bool symmetric = contact_.smallest_regularisation() == 0;

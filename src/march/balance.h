@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "error.h"
+#include "march/snapshot.h"
 #include "march/state.h"
 #include "model/facet_term.h"
 #include "model/nodal.h"
@@ -38,6 +39,11 @@ class Balance {
     /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws
     /// StepFailure if no solution is found, having tried Newton and continuation in the regularisation.
     SolveReport solve(std::vector<double>& rhs);
+
+    /// What the systems prepared have kept from earlier solves and can hand on, the one in use first; and an
+    /// equal balance to go on with it.
+    std::vector<KeptSystem> kept_systems() const;
+    void take_up(const std::vector<KeptSystem>& kept);
 
     const model::Prescribed& prescribed() const { return prescribed_; }
     model::FacetTerm& contact() { return contact_; }

@@ -8,6 +8,7 @@
 #include "model/nodal.h"
 #include "number.h"
 #include "parallel/together.h"
+#include "parallel/whole.h"
 #include "solve/available_memory.h"
 
 namespace thermocontact::march {
@@ -180,8 +181,9 @@ void Simulation::solve_coupled(StepCounts& counts) {
                       std::to_string(most_coupling_iterations) + " iterations");
 }
 
-void Simulation::give_up(const State& before, const Subdivision& parts, const std::string& reason) {
-    state_ = before;
+/// Makes everything that is computed from a state agree with `state`.
+void Simulation::take_up(State state) {
+    state_ = std::move(state);
     if (momentum_) {
         momentum_->restart(state_);
         momentum_->drop_audit();
@@ -191,6 +193,55 @@ void Simulation::give_up(const State& before, const Subdivision& parts, const st
         heat_->drop_audit();
     }
     model::update(surfaces_, part_.space, state_.time);
+}
+
+Snapshot Simulation::snapshot() const {
+    Snapshot snapshot{state_, totals_};
+    visit_members(snapshot.state, [&](const std::string&, auto& member) {
+        if constexpr (std::is_same_v<decltype(member), Nodal&>) {
+            member = parallel::to_whole(part_.numbers, team(), member);
+        }
+    });
+    if (momentum_) {
+        snapshot.kept["momentum"] = momentum_->balance().kept_systems();
+    }
+    if (heat_) {
+        snapshot.kept["heat"] = heat_->balance().kept_systems();
+    }
+    return snapshot;
+}
+
+void Simulation::resume(const Snapshot& snapshot) {
+    State state = snapshot.state;
+    const auto nodes = static_cast<std::size_t>(part_.numbers.total());
+    visit_members(state, [&](const std::string& name, auto& member) {
+        if constexpr (std::is_same_v<decltype(member), Nodal&>) {
+            if (member.size() % nodes != 0) {
+                throw SceneError("the checkpoint's " + name + " has " + std::to_string(member.size()) +
+                                 " numbers, which do not fit the " + std::to_string(nodes) +
+                                 " nodes of the mesh");
+            }
+            member = parallel::from_whole(part_.numbers, member);
+        }
+    });
+    take_up(std::move(state));
+    totals_ = snapshot.totals;
+    first_step_ = state_.step;
+    const auto go_on = [&](const std::string& name, Balance& balance) {
+        if (const auto found = snapshot.kept.find(name); found != snapshot.kept.end()) {
+            balance.take_up(found->second);
+        }
+    };
+    if (momentum_) {
+        go_on("momentum", momentum_->balance());
+    }
+    if (heat_) {
+        go_on("heat", heat_->balance());
+    }
+}
+
+void Simulation::give_up(const State& before, const Subdivision& parts, const std::string& reason) {
+    take_up(before);
     const int step = state_.step + 1;
     std::string tried;
     if (parts.failures() > 0) {

@@ -12,6 +12,7 @@
 
 #include "march/heat.h"
 #include "march/momentum.h"
+#include "march/snapshot.h"
 #include "march/step_rule.h"
 #include "march/strategy_choice.h"
 #include "march/subdivision.h"
@@ -19,18 +20,6 @@
 #include "parallel/backend.h"
 
 namespace thermocontact::march {
-
-/// Totals over the steps so far.
-struct Totals {
-    int iterations = 0;
-    int max_iterations_in_a_step = 0;
-    int retries = 0;           ///< solves of a balance beyond the first: continuation
-    int divided_steps = 0;     ///< steps that were taken in parts
-    int parts = 0;             ///< those parts
-    int failed_attempts = 0;   ///< steps and parts that failed before
-    double smallest_step = 0;  ///< accepted or failed, s; 0: none yet
-    double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
-};
 
 class Simulation {
   public:
@@ -43,6 +32,16 @@ class Simulation {
     /// One step of the scene, in parts where it fails as a whole. The state changes only if the step
     /// succeeds; throws NumericsError otherwise.
     void advance();
+
+    /// What a simulation of the same scene can go on with; every process calls, each gets all of it.
+    Snapshot snapshot() const;
+
+    /// Goes on from a snapshot, on whatever number of processes it was taken: with the same strategy on one
+    /// process to the last bit as the simulation it is of. Throws SceneError where it is of another mesh.
+    void resume(const Snapshot& snapshot);
+
+    /// The step that this simulation started after: 0, or that of the snapshot.
+    int first_step() const { return first_step_; }
 
     bool finished() const { return state_.step == scene_->time.steps; }
 
@@ -101,6 +100,7 @@ class Simulation {
     void take(const StepRule& rule, StepCounts& counts);
     void solve(StepCounts& counts);
     void solve_coupled(StepCounts& counts);
+    void take_up(State state);
     void give_up(const State& before, const Subdivision& parts, const std::string& reason);
     void count_step(const StepCounts& counts);
 
@@ -119,6 +119,7 @@ class Simulation {
     StepCounts last_;
     Record balances_;  ///< of the last step that succeeded
     Totals totals_;
+    int first_step_ = 0;
 };
 
 }  // namespace thermocontact::march

@@ -1,25 +1,76 @@
 /// The unknowns at one instant, and what a step reports about them.
 #pragma once
 
+#include <concepts>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace thermocontact::march {
 
-/// Nodal fields [nodes][components]; those of absent physics are empty.
+using Nodal = std::vector<double>;  ///< [nodes][components]
+
+/// Nodal fields of absent physics are empty.
 struct State {
     int step = 0;
-    double time = 0;                   ///< s
-    std::vector<double> displacement;  ///< u, m
-    std::vector<double> velocity;      ///< w, m/s
-    std::vector<double> temperature;   ///< theta, K
+    double time = 0;     ///< s
+    Nodal displacement;  ///< u, m
+    Nodal velocity;      ///< w, m/s
+    Nodal temperature;   ///< theta, K
 
     /// The rates that the next step begins with (step_rule.h), of the three fields; empty where the scheme
     /// takes none, and before the first step.
     double last_step = 0;  ///< size of the step that left them, s; 0: there are none
-    std::vector<double> displacement_rate, velocity_rate, temperature_rate;
+    Nodal displacement_rate, velocity_rate, temperature_rate;
 };
+
+/// Calls visit(name, member) for all that a state holds, numbers and nodal fields: what a checkpoint stores
+/// and a restart takes up. A member that is missing here does not compile.
+template <typename AnyState, typename Visit>
+requires std::same_as<std::remove_const_t<AnyState>, State>
+void visit_members(AnyState& state, Visit&& visit) {
+    auto& [step, time, displacement, velocity, temperature, last_step, displacement_rate, velocity_rate,
+           temperature_rate] = state;
+    visit("step", step);
+    visit("time", time);
+    visit("displacement", displacement);
+    visit("velocity", velocity);
+    visit("temperature", temperature);
+    visit("last_step", last_step);
+    visit("displacement_rate", displacement_rate);
+    visit("velocity_rate", velocity_rate);
+    visit("temperature_rate", temperature_rate);
+}
+
+/// Totals over the steps so far.
+struct Totals {
+    int iterations = 0;
+    int max_iterations_in_a_step = 0;
+    int retries = 0;           ///< solves of a balance beyond the first: continuation
+    int divided_steps = 0;     ///< steps that were taken in parts
+    int parts = 0;             ///< those parts
+    int failed_attempts = 0;   ///< steps and parts that failed before
+    double smallest_step = 0;  ///< accepted or failed, s; 0: none yet
+    double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
+};
+
+/// The same for the totals.
+template <typename AnyTotals, typename Visit>
+requires std::same_as<std::remove_const_t<AnyTotals>, Totals>
+void visit_members(AnyTotals& totals, Visit&& visit) {
+    auto& [iterations, most, retries, divided, parts, failed, smallest, energy, heat, force] = totals;
+    visit("iterations", iterations);
+    visit("max_iterations_in_a_step", most);
+    visit("retries", retries);
+    visit("divided_steps", divided);
+    visit("parts", parts);
+    visit("failed_attempts", failed);
+    visit("smallest_step", smallest);
+    visit("energy_residual", energy);
+    visit("heat_residual", heat);
+    visit("force_residual", force);
+}
 
 /// How a nonlinear solve went.
 struct SolveReport {

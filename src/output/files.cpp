@@ -1,5 +1,6 @@
 #include "output/files.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,25 +11,45 @@
 #include "error.h"
 
 namespace thermocontact::output {
+namespace {
 
-void write_whole(const std::filesystem::path& path, std::string_view content) {
+/// Waits until the disk has what was written to `path`; false with errno where that fails.
+bool reaches_disk(const std::filesystem::path& path, int how) {
+    const int file = ::open(path.c_str(), how | O_CLOEXEC);
+    if (file < 0) {
+        return false;
+    }
+    const bool done = ::fsync(file) == 0;
+    const int reason = errno;
+    ::close(file);
+    errno = reason;
+    return done;
+}
+
+}  // namespace
+
+void write_whole(const std::filesystem::path& path, std::string_view content, Sync sync) {
     const std::filesystem::path beside = path.string() + ".part";
+    const auto fail = [&](const std::string& reason) {
+        std::error_code ignored;
+        std::filesystem::remove(beside, ignored);
+        throw SystemError("cannot write " + path.string() + ": " + reason);
+    };
     errno = 0;
     std::ofstream file(beside, std::ios::binary | std::ios::trunc);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));
     file.close();
-    if (!file) {
-        const int reason = errno;
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        throw SystemError("cannot write " + path.string() + ": " + std::strerror(reason != 0 ? reason : EIO));
+    if (!file || (sync == Sync::yes && !reaches_disk(beside, O_WRONLY))) {
+        fail(std::strerror(errno != 0 ? errno : EIO));
     }
     std::error_code failure;
     std::filesystem::rename(beside, path, failure);
     if (failure) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        throw SystemError("cannot write " + path.string() + ": " + failure.message());
+        fail(failure.message());
+    }
+    if (sync == Sync::yes) {  // the new name, where the file system can promise it
+        const std::filesystem::path folder = path.parent_path();
+        reaches_disk(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
     }
 }
 

@@ -6,8 +6,11 @@
 
 namespace thermocontact::output {
 
+/// Whether a file is to survive a crash of the machine, too: writing then waits for the disk.
+enum class Sync { no, yes };
+
 /// Writes `content` beside `path` and renames it over. Throws SystemError naming the file and the reason.
-void write_whole(const std::filesystem::path& path, std::string_view content);
+void write_whole(const std::filesystem::path& path, std::string_view content, Sync sync = Sync::no);
 
 /// Makes the folder and its parents. Throws SystemError if it cannot be written to.
 void make_folder(const std::filesystem::path& folder);

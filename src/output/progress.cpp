@@ -61,6 +61,10 @@ void Progress::header(const march::Simulation& simulation) const {
               << "time      " << scene_->time.steps << " steps to t = " << short_text(scene_->time.end)
               << ", " << scene_->time.scheme << "\n"
               << "solver    " << simulation.strategy().name() << ": " << simulation.why_strategy() << "\n";
+    if (simulation.first_step() > 0) {
+        std::cerr << "restart   after step " << simulation.first_step()
+                  << ", t = " << short_text(simulation.state().time) << "\n";
+    }
 }
 
 void Progress::step(const march::Simulation& simulation, const march::Record& record) {
@@ -72,6 +76,8 @@ void Progress::step(const march::Simulation& simulation, const march::Record& re
     last_shown_ = now;
     const march::State& state = simulation.state();
     const double share = static_cast<double>(state.step) / scene_->time.steps;
+    const double here = static_cast<double>(state.step - simulation.first_step()) /
+                        (scene_->time.steps - simulation.first_step());
     std::string text =
         "step " + std::to_string(state.step) + "/" + std::to_string(scene_->time.steps) +
         "  t = " + short_text(state.time) + "  Newton " +
@@ -79,7 +85,7 @@ void Progress::step(const march::Simulation& simulation, const march::Record& re
     if (!simulation.surfaces().empty()) {
         text += "  contact " + percent(value_in(record, "contact_fraction"));
     }
-    text += "  " + short_text(std::round(10 * now * (1 - share) / share) / 10) + " s left";
+    text += "  " + short_text(std::round(10 * now * (1 - here) / here) / 10) + " s left";
     if (terminal_) {
         std::cerr << "\r\033[K" << bar(share) << " " << text << (simulation.finished() ? "\n" : "")
                   << std::flush;

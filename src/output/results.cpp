@@ -1,11 +1,13 @@
 #include "output/results.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <system_error>
 
 #include "error.h"
 #include "number.h"
+#include "output/earlier_results.h"
 #include "output/files.h"
 #include "output/summary.h"
 #include "parallel/together.h"
@@ -32,35 +34,57 @@ void write_row(std::ofstream& file, const march::Record& record, bool names) {
     file << row << '\n' << std::flush;
 }
 
-/// Removes what an earlier run left, and nothing else.
-void clear(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    for (const char* file : {"summary.json", "history.csv", "fields.pvd"}) {
-        std::filesystem::remove(folder / file, ignored);
-    }
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "fields", ignored)) {
-        if (entry.path().extension() == ".vtu" || entry.path().extension() == ".pvtu") {
-            std::filesystem::remove(entry.path(), ignored);
+}  // namespace
+
+Results::Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation,
+                 const Checkpoint* earlier)
+    : folder_(std::move(folder)),
+      scene_(&scene),
+      simulation_(&simulation),
+      grids_(scene, simulation),
+      checkpoints_(folder_, scene, simulation, earlier != nullptr ? earlier->run : new_run()) {
+    bool continues = false;
+    if_first([&] {
+        make_folder(folder_);
+        continues = earlier != nullptr && run_of(folder_ / Checkpoints::file_name) == earlier->run;
+        if (!continues) {
+            clear_results(folder_);
         }
+    });
+    continues = simulation.team().any(continues);
+    // before anything that is later goes: what is left must be what the checkpoint says at any moment
+    checkpoints_.write(earlier != nullptr ? Sync::yes : Sync::no);
+    if_first([&] { open_files(continues); });
+    // the others wait for the folder
+    last_fields_ = static_cast<int>(simulation.team().max(static_cast<double>(last_fields_)));
+    if (!continues) {
+        add_fields();
     }
 }
 
-}  // namespace
+void Results::open_files(bool continues) {
+    const std::filesystem::path history = folder_ / "history.csv";
+    if (continues) {
+        const int step = simulation_->state().step;
+        std::error_code ignored;
+        std::filesystem::remove(folder_ / "summary.json", ignored);
+        has_header_ = keep_history(folder_, step);
+        entries_ = keep_fields(folder_, step, fields_are_due());
+        const bool written = std::ranges::any_of(
+            entries_, [&](const PvdEntry& entry) { return entry.time == simulation_->state().time; });
+        last_fields_ = written ? step : -1;
+    }
+    history_.open(history, continues ? std::ios::app : std::ios::trunc);
+    if (!history_) {
+        throw SystemError("cannot write " + history.string());
+    }
+    if (!scene_->output.fields.empty()) {
+        make_folder(folder_ / "fields");
+    }
+}
 
-Results::Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation)
-    : folder_(std::move(folder)), scene_(&scene), simulation_(&simulation), grids_(scene, simulation) {
-    if_first([&] {  // the others wait for the folder
-        make_folder(folder_);
-        clear(folder_);
-        history_.open(folder_ / "history.csv", std::ios::trunc);
-        if (!history_) {
-            throw SystemError("cannot write " + (folder_ / "history.csv").string());
-        }
-        if (!scene.output.fields.empty()) {
-            make_folder(folder_ / "fields");
-        }
-    });
-    add_fields();
+bool Results::fields_are_due() const {
+    return simulation_->state().step % scene_->output.every == 0 || simulation_->finished();
 }
 
 void Results::if_first(const std::function<void()>& work) const {
@@ -75,16 +99,16 @@ void Results::if_first(const std::function<void()>& work) const {
 march::Record Results::add_step() {
     march::Record record = simulation_->record();
     if_first([&] {
-        if (history_.tellp() == 0) {
+        if (!has_header_) {
             write_row(history_, record, true);
+            has_header_ = true;
         }
         write_row(history_, record, false);
         if (!history_) {
             throw SystemError("cannot write " + (folder_ / "history.csv").string() + " (disk full?)");
         }
     });
-    const int step = simulation_->state().step;
-    if (step % scene_->output.every == 0 || simulation_->finished()) {
+    if (fields_are_due()) {
         add_fields();
     }
     return record;
@@ -130,7 +154,7 @@ void Results::finish(const std::string& status, const std::string& reason, const
 
 void write_setup_failure(const std::filesystem::path& folder, const scene::Scene& scene,
                          const std::string& reason) {
-    clear(folder);
+    clear_results(folder);
     const nlohmann::ordered_json summary{{"status", "failed"},
                                          {"version", version_text()},
                                          {"reason", reason},

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "output/checkpoint.h"
+#include "output/checkpoints.h"
 #include "output/fields.h"
 
 namespace thermocontact::output {
@@ -20,9 +22,11 @@ struct Seconds {
 
 class Results {
   public:
-    /// Makes the folder and clears the results of an earlier run from it. Throws SystemError if it is not
-    /// writable.
-    Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation);
+    /// Makes the folder and clears the results of an earlier run from it. After a restart from `earlier`,
+    /// which the simulation has gone on from already, results of the same run are kept up to its step and
+    /// continued. Throws SystemError if the folder is not writable.
+    Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation,
+            const Checkpoint* earlier = nullptr);
 
     /// Appends the step's row to history.csv and returns it; writes its fields when they are due. Throws
     /// SystemError.
@@ -31,19 +35,29 @@ class Results {
     /// Writes the fields of the current state if add_step() did not: the last step, whatever `output.every`.
     void add_fields();
 
+    /// Whether a checkpoint is due, as this process sees it: see Checkpoints.
+    bool checkpoint_is_due() const { return checkpoints_.due(); }
+
+    /// Writes one of the current state, if the last one is of an earlier.
+    void add_checkpoint() { checkpoints_.write(Sync::yes); }
+
     /// Writes summary.json; `status` is "completed", "failed" or "interrupted", `reason` empty when
     /// completed.
     void finish(const std::string& status, const std::string& reason, const Seconds& seconds);
 
   private:
     void if_first(const std::function<void()>& work) const;  ///< called by all, done by the first process
+    void open_files(bool continues);
+    bool fields_are_due() const;
     void write_grid(const std::string& name, const VtuGrid& grid);
 
     std::filesystem::path folder_;
     const scene::Scene* scene_;
     march::Simulation* simulation_;
     FieldGrids grids_;
+    Checkpoints checkpoints_;
     std::ofstream history_;
+    bool has_header_ = false;
     std::vector<PvdEntry> entries_;
     int last_fields_ = -1;
 };

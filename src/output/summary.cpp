@@ -58,6 +58,9 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                         {"factor_entries", simulation.factor_entries()},
                         {"contact_unknowns", simulation.contact_unknowns()}};
     result["steps"] = simulation.state().step;
+    if (simulation.first_step() > 0) {
+        result["restarted_after_step"] = simulation.first_step();
+    }
     result["final"] = final_state(simulation);
     result["newton"] = {{"iterations", totals.iterations},
                         {"max_iterations_in_a_step", totals.max_iterations_in_a_step},

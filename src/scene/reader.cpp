@@ -268,6 +268,9 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
     scene.solver = {text(s, "solver.strategy"), number(s, "solver.tolerance"),
                     integer(s, "solver.max_iterations")};
     scene.output = {integer(s, "output.every"), s.value("output.fields").get<std::vector<std::string>>()};
+    if (s.has("output.checkpoint_every")) {
+        scene.output.checkpoint_every = integer(s, "output.checkpoint_every");
+    }
     scene.resolved = s.resolved();
     return scene;
 }

@@ -121,8 +121,9 @@ struct SolverSpec {
 };
 
 struct OutputSpec {
-    int every;                        ///< steps between field outputs
-    std::vector<std::string> fields;  ///< subset of the names in `output_fields`
+    int every;                                 ///< steps between field outputs
+    std::vector<std::string> fields;           ///< subset of the names in `output_fields`
+    std::optional<int> checkpoint_every = {};  ///< steps between checkpoints; empty: as often as is cheap
 };
 
 struct Scene {

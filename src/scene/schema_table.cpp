@@ -227,6 +227,9 @@ std::vector<Key> run_keys() {
          .choices = {"displacement", "velocity", "temperature", "stress", "von_mises", "contact"},
          .example = R"(["displacement", "stress"])",
          .description = "Fields to write; absent: all that the scene has, empty list: no field files."},
+        {.name = "output.checkpoint_every", .type = Type::integer, .range = from_to(1, 1e9), .example = "100",
+         .description = "Steps between checkpoints; absent: as often as takes no more than a fiftieth of the "
+         "time. The first and the last state are always written, also of a run that fails or is interrupted."},
     };
 }
 

@@ -17,6 +17,12 @@ class CondensedProblem : public StepProblem {
     NewtonResult solve(NonlinearTerm& F, Eigen::VectorXd& x) override;
     double largest_unknown(const Eigen::VectorXd& start) override;
     bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) override;
+    std::optional<KeptDerivative> kept_derivative() const override {
+        return newton_.kept_derivative(system_.schur_complement());
+    }
+    void take_up(const KeptDerivative& derivative) override {
+        newton_.take_up(system_.schur_complement(), derivative);
+    }
     std::int64_t factor_entries() const override { return system_.factor_entries(); }
 
   private:

@@ -55,12 +55,41 @@ Newton::Residual Newton::residual(const Eigen::MatrixXd& S, const Eigen::VectorX
 bool Newton::factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x) {
     derivative_ = S;
     F.add_derivative(x, derivative_);
+    return factor_derivative();
+}
+
+bool Newton::factor_derivative() {
     factors_.compute(derivative_);
     ++factorisations_;
     const Eigen::VectorXd scale = factors_.permutationP() * derivative_.cwiseAbs().rowwise().maxCoeff();
     const auto pivots = factors_.matrixLU().diagonal().cwiseAbs().array();
     has_factors_ = (pivots > smallest_pivot * scale.array()).all();
     return has_factors_;
+}
+
+std::optional<KeptDerivative> Newton::kept_derivative(const Eigen::MatrixXd& S) const {
+    if (!has_factors_) {
+        return std::nullopt;
+    }
+    KeptDerivative kept{S.rows(), {}, {}};
+    for (Eigen::Index i = 0; i < S.size(); ++i) {
+        if (const double value = derivative_.data()[i]; value != S.data()[i]) {
+            kept.entries.push_back(i);
+            kept.values.push_back(value);
+        }
+    }
+    return kept;
+}
+
+void Newton::take_up(const Eigen::MatrixXd& S, const KeptDerivative& kept) {
+    if (kept.unknowns != S.rows() || S.size() == 0) {
+        return;
+    }
+    derivative_ = S;
+    for (std::size_t i = 0; i < kept.entries.size(); ++i) {
+        derivative_.data()[kept.entries[i]] = kept.values[i];
+    }
+    factor_derivative();
 }
 
 bool Newton::is_round_off(const Eigen::VectorXd& x, const Residual& current) const {

@@ -5,7 +5,9 @@
 #include <Eigen/LU>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace thermocontact::solve {
 
@@ -44,6 +46,13 @@ struct NewtonResult {
     double residual;  ///< relative, as in NewtonOptions
 };
 
+/// S + dF/dx where a Newton iteration factored it last, by its entries that differ from S.
+struct KeptDerivative {
+    std::int64_t unknowns = 0;
+    std::vector<std::int64_t> entries;  ///< column * unknowns + row
+    std::vector<double> values;         ///< [entries]
+};
+
 /// "the line search found no descent", for messages.
 const char* describe(NewtonEnd end);
 
@@ -57,6 +66,13 @@ class Newton {
     /// From the start value in x to the solution; x is the last iterate if that fails.
     NewtonResult solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
                        Eigen::VectorXd& x);
+
+    /// The derivative whose factors are kept, if there are any.
+    std::optional<KeptDerivative> kept_derivative(const Eigen::MatrixXd& S) const;
+
+    /// Factors the derivative that an iteration with the same S kept, and goes on with it to the last bit.
+    /// One of another number of unknowns is passed over.
+    void take_up(const Eigen::MatrixXd& S, const KeptDerivative& kept);
 
     /// Derivatives factored so far.
     int factorisations() const { return factorisations_; }
@@ -84,6 +100,7 @@ class Newton {
     Residual residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
                       const Eigen::VectorXd& x);
     bool factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x);
+    bool factor_derivative();
 
     NewtonOptions options_;
     Eigen::MatrixXd derivative_;

@@ -35,6 +35,11 @@ class StepProblem {
     /// process.
     virtual bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) = 0;
 
+    /// What solve() has kept from earlier steps, if it is such that it can be handed on; and an equal problem
+    /// to go on with it. Only the last digits of what solve() finds depend on it.
+    virtual std::optional<KeptDerivative> kept_derivative() const { return std::nullopt; }
+    virtual void take_up(const KeptDerivative&) {}
+
     /// Numbers in the factors, where there are any.
     virtual std::int64_t factor_entries() const { return 0; }
 };

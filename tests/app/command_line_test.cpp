@@ -84,8 +84,11 @@ TEST(CommandLine, MistakesInOptions) {
     EXPECT_EQ(message({"run", "a.toml", "--outptu", "d"}),
               "run: unknown option \"--outptu\"; did you mean \"--output\"?");
     EXPECT_EQ(
-        message({"run", "a.toml", "--restart=c"}),
-        "run: unknown option \"--restart\"; expected \"--help\", \"--set\", \"--output\" or \"--quiet\"");
+        message({"run", "a.toml", "--begin=c"}),
+        "run: unknown option \"--begin\"; expected \"--help\", \"--set\", \"--output\", \"--restart\" or "
+        "\"--quiet\"");
+    EXPECT_EQ(message({"run", "a.toml", "--restart", ""}),
+              "run: --restart: expected a checkpoint file, found an empty name");
     EXPECT_EQ(message({"check", "a.toml", "--quiet"}),
               "check: unknown option \"--quiet\"; expected \"--help\" or \"--set\"");
     EXPECT_EQ(message({"schema", "--format", "tmol"}),

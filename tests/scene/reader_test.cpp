@@ -31,8 +31,13 @@ TEST(Reader, Defaults) {
     EXPECT_EQ(scene.solver.tolerance, 1e-12);
     EXPECT_EQ(scene.solver.max_iterations, 50);
     EXPECT_EQ(scene.output.every, 1);
+    EXPECT_FALSE(scene.output.checkpoint_every);
     EXPECT_EQ(scene.output.fields, (std::vector<std::string>{"displacement", "velocity", "temperature",
                                                              "stress", "von_mises", "contact"}));
+}
+
+TEST(Reader, ACheckpointIntervalIsRead) {
+    EXPECT_EQ(read(base, {"output.checkpoint_every=7"}).output.checkpoint_every, 7);
 }
 
 TEST(Reader, AbsentPhysicsIsAbsent) {

@@ -64,6 +64,31 @@ TEST(Newton, LinearProblemsTakeOneIterationAndOneFactorisation) {
     EXPECT_EQ(newton.factorisations(), 1) << "the factors of the first round serve the others";
 }
 
+/// Handed on, the kept derivative takes the next solves the same way to the last bit.
+TEST(Newton, TheKeptDerivativeCanBeHandedOn) {
+    Componentwise F([](double x) { return x * std::abs(x); }, [](double x) { return 2 * std::abs(x); });
+    Newton newton(options);
+    EXPECT_FALSE(newton.kept_derivative(stiffness())) << "nothing is kept before the first solve";
+    Eigen::VectorXd x = vector({0, 0, 0, 0});
+    newton.solve(stiffness(), vector({1, -2, 3, 0.5}), F, x);
+    const auto kept = newton.kept_derivative(stiffness());
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->unknowns, 4);
+    EXPECT_EQ(kept->entries, (std::vector<std::int64_t>{0, 5, 10, 15})) << "the diagonal";
+    Newton other(options), fresh(options);
+    other.take_up(stiffness(), *kept);
+    fresh.take_up(identity(3), *kept);  // of another size: nothing to go on with
+    EXPECT_FALSE(fresh.kept_derivative(identity(3)));
+    const Eigen::VectorXd s = vector({1.1, -2, 3, 0.6});
+    Eigen::VectorXd a = x, b = x, c = x;
+    newton.solve(stiffness(), s, F, a);
+    other.solve(stiffness(), s, F, b);
+    fresh.solve(stiffness(), s, F, c);
+    EXPECT_EQ(a, b);
+    EXPECT_NE(a, c) << "another way to the same solution";
+    EXPECT_LE((a - c).norm(), 1e-11);
+}
+
 TEST(Newton, NothingToDo) {
     Componentwise F([](double x) { return x * x; }, [](double x) { return 2 * x; });
     Eigen::VectorXd x = vector({1, 2, 3, 4});

@@ -245,6 +245,7 @@ def _solver_and_output() -> dict[str, list[Variation]]:
         ],
         "output.every": vary(CONTACT, "output.every", 1, 2, 10, same=FILES_ONLY),
         "output.fields": vary(CONTACT, "output.fields", *chosen, same=FILES_ONLY),
+        "output.checkpoint_every": vary(CONTACT, "output.checkpoint_every", 1, 2, same=FILES_ONLY),
     }
 
 

@@ -173,6 +173,7 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         resolved=root.resolved,
     )
     scene.fields.extend(_fields(output, scene))
+    output.optional("checkpoint_every", count)  # the oracle does not restart
     for table in (mesh, time, initial, space, solver, output, load, sides, root):
         if table:
             table.close()

@@ -1,0 +1,27 @@
+/// All that a simulation needs to go on from where another one stopped, on any number of processes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "march/state.h"
+#include "solve/newton.h"
+
+namespace thermocontact::march {
+
+/// What a dense Newton iteration with the system of `tau` (s) goes on with.
+struct KeptSystem {
+    double tau;
+    solve::KeptDerivative derivative;
+};
+
+struct Snapshot {
+    State state;    ///< nodal fields in the order of the whole mesh's nodes
+    Totals totals;  ///< over the steps so far
+    /// By balance ("momentum", "heat"): with it, the next steps agree to the last bit. Strategies that keep
+    /// no such thing have none.
+    std::map<std::string, std::vector<KeptSystem>> kept = {};
+};
+
+}  // namespace thermocontact::march

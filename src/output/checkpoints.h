@@ -1,0 +1,39 @@
+/// The checkpoints of a run: when one is due, and the file in its results folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "march/simulation.h"
+#include "output/files.h"
+#include "stopwatch.h"
+
+namespace thermocontact::output {
+
+class Checkpoints {
+  public:
+    static constexpr const char* file_name = "checkpoint.h5";
+
+    /// `run`: see Checkpoint; only the first process's counts.
+    Checkpoints(std::filesystem::path folder, const scene::Scene& scene, const march::Simulation& simulation,
+                std::string run);
+
+    /// Whether this process finds that it is time for one (output.checkpoint_every). The clocks of several
+    /// processes differ: the first one's answer counts.
+    bool due() const;
+
+    /// Writes one of the current state unless there is one already. Every process must call. Throws
+    /// SystemError.
+    void write(Sync sync);
+
+  private:
+    std::filesystem::path folder_;
+    const scene::Scene* scene_;
+    const march::Simulation* simulation_;
+    std::string run_;
+    int last_step_ = -1;
+    Stopwatch since_last_;
+    double cost_ = 0;  ///< s, of the last one
+};
+
+}  // namespace thermocontact::output

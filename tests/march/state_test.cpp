@@ -1,0 +1,27 @@
+#include "march/state.h"
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+
+namespace thermocontact::march {
+namespace {
+
+TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
+    State state{3, 0.25, {1, 2}, {3, 4}, {5}, 0.1, {6, 7}, {8, 9}, {10}};
+    std::vector<std::string> names;
+    visit_members(std::as_const(state), [&](const std::string& name, const auto&) { names.push_back(name); });
+    EXPECT_EQ(names, (std::vector<std::string>{"step", "time", "displacement", "velocity", "temperature",
+                                               "last_step", "displacement_rate", "velocity_rate",
+                                               "temperature_rate"}));
+    visit_members(state, [](const std::string&, auto& member) { member = {}; });
+    EXPECT_EQ(state.step, 0);
+    EXPECT_EQ(state.time, 0);
+    EXPECT_EQ(state.last_step, 0);
+    EXPECT_TRUE(state.displacement.empty() && state.velocity.empty() && state.temperature.empty());
+    EXPECT_TRUE(state.displacement_rate.empty() && state.velocity_rate.empty() &&
+                state.temperature_rate.empty());
+}
+
+}  // namespace
+}  // namespace thermocontact::march

@@ -19,10 +19,19 @@ std::string soname() {
            std::to_string(GMSH_API_VERSION_MINOR);
 }
 
+/// Loaded once in a process, and by that in its children.
+void* load_library() {
+    void* library = dlopen(soname().c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) {
+        throw SystemError("mesh.file needs the library of Gmsh: " + std::string(dlerror()));
+    }
+    return library;
+}
+
 /// The functions of Gmsh's C interface that reading takes; one session of Gmsh as long as it lives.
 class Session {
   public:
-    Session();
+    explicit Session(void* library);
     ~Session() {
         int ignored = 0;
         finalize_(&ignored);
@@ -86,10 +95,7 @@ class Session {
     decltype(&gmshModelMeshGetElementProperties) properties_;
 };
 
-Session::Session() : library_(dlopen(soname().c_str(), RTLD_NOW | RTLD_LOCAL)) {
-    if (library_ == nullptr) {
-        throw SystemError("mesh.file needs the library of Gmsh: " + std::string(dlerror()));
-    }
+Session::Session(void* library) : library_(library) {
     find("gmshFree", free_);
     find("gmshFinalize", finalize_);
     find("gmshOpen", open_);
@@ -187,7 +193,8 @@ GmshContents read_with_gmsh(const std::filesystem::path& path) {
     constexpr std::uint64_t mebibyte = 1 << 20;
     const std::uint64_t size = std::filesystem::file_size(path);
     const ChildLimits limits{512 * mebibyte + 200 * size, 30 + 10 * size / mebibyte};
-    return from_bytes(run_in_child([&] { return to_bytes(Session().read(path)); }, limits));
+    void* library = load_library();
+    return from_bytes(run_in_child([&] { return to_bytes(Session(library).read(path)); }, limits));
 }
 
 }  // namespace thermocontact::mesh

@@ -98,7 +98,8 @@ std::string Hdf5Writer::bytes() {
     return image;
 }
 
-Hdf5Reader::Hdf5Reader(std::string_view bytes) : file_(open(bytes), H5Fclose, "read this as one of its files") {}
+Hdf5Reader::Hdf5Reader(std::string_view bytes)
+    : file_(open(bytes), H5Fclose, "read this as one of its files") {}
 
 bool Hdf5Reader::has(const std::string& path) const {
     for (std::size_t end = 0; end != std::string::npos;) {  // a path may be asked for step by step only

@@ -38,8 +38,8 @@ MUTATIONS = (
     Mutation(
         "heat-early-load",
         "src/march/heat.cpp",
-        "load_ = &loads_.at(rule.stage_time());",
-        "load_ = &loads_.at(rule.begin);",
+        "return &loads_.at(rule.stage_time());",
+        "return &loads_.at(rule.begin);",
         "lagged",
         "the heat source at the stage of the step",
     ),
@@ -110,8 +110,8 @@ MUTATIONS = (
     Mutation(
         "momentum-early-load",
         "src/march/momentum.cpp",
-        "load_ = &loads_.at(rule.stage_time());",
-        "load_ = &loads_.at(rule.begin);",
+        "return &loads_.at(rule.stage_time());",
+        "return &loads_.at(rule.begin);",
         "lagged",
         "loads at the stage of the step",
     ),
@@ -358,7 +358,7 @@ MUTATIONS = (
     Mutation(
         "simulation-restored-state",
         "src/march/simulation.cpp",
-        "    state_ = before;\n",
+        "    take_up(before);\n",
         "    state_.time = before.time;\n",
         "state",
         "what parts of a failed step did is undone",

@@ -83,6 +83,7 @@ def scene(study: str, name: str, at: Resolution) -> str:
         "time.end": cases.END,
         "time.steps": at.steps,
         "time.scheme": at.scheme,
+        "solver.strategy": "condensed",  # the program is linked without PETSc
         "solver.tolerance": TOLERANCE,
     }
     if case.material:

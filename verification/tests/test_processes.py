@@ -8,6 +8,7 @@ import contextlib
 import csv
 import json
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -98,16 +99,13 @@ class Processes(unittest.TestCase):
                 self.expect(self.run_all(3), 1, f"cannot write {piece}: ")
                 self.assertEqual(self.steps_in_history(), [1, 2])
 
-    def test_a_full_disk(self) -> None:
-        (self.results / "fields").mkdir(parents=True)
+    def test_a_file_that_cannot_be_opened(self) -> None:
         for name in ("fields/contact_000001_p1.vtu", "fields/body_000000.pvtu", "summary.json"):
             with self.subTest(name):
-                full = self.results / f"{name}.part"
-                full.symlink_to("/dev/full")
-                self.expect(
-                    self.run_all(2), 1, f"cannot write {self.results}/{name}: No space left on device"
-                )
-                full.unlink(missing_ok=True)
+                in_place = self.results / f"{name}.part"
+                (in_place / "a folder").mkdir(parents=True)
+                self.expect(self.run_all(2), 1, f"cannot write {self.results}/{name}: Is a directory")
+                shutil.rmtree(in_place)
 
     def test_a_results_folder_that_cannot_be_made(self) -> None:
         self.results.write_text("a file")

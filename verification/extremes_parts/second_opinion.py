@@ -6,6 +6,7 @@ operation is amplified like the nudge. The allowance is the agreement asked of a
 the change for a nudge of the size that 1e-16 and some thousand operations make of a datum.
 """
 
+import json
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -70,8 +71,16 @@ def _opinion(row: "Row", driver: Driver) -> Opinion:
         by, other = "other settings", ended.directory
         if ended.code != 0:
             return Opinion("nobody", True, f"{failure}; driver at other settings: {ended.text()}")
+    if by == "other settings" and (_divided(directory) or _divided(other)):
+        return Opinion("nobody", True, f"{failure}; other settings took the steps in other parts")
     difference, where = change(directory, other)
     return Opinion(by, difference <= allowed, f"{by}: {difference:.1e} in {where}, allowed {allowed:.1e}")
+
+
+def _divided(directory: Path) -> int:
+    """Steps that were taken in parts: another discretisation in time, which no second opinion can judge."""
+    summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
+    return int(summary["recovery"]["divided_steps"])
 
 
 def _nudged(scene: Flat) -> Flat:

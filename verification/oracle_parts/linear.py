@@ -4,7 +4,7 @@ The multigrid is set up as its documentation advises for elasticity: rigid motio
 space's dimension, the hierarchy of the first matrix kept for all that follow (contact changes a few rows of it), the
 squared graph for two levels and the weakest couplings dropped. Conjugate gradients where the matrix is symmetric,
 GMRES where friction makes it otherwise. Newton's corrections are solved to CORRECTION, a balance that is linear
-to EXACT: verification/benchmark.py --multigrid says what other values cost.
+to EXACT: verification/benchmark.py --study multigrid says what other values cost.
 """
 
 from typing import Any

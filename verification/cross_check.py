@@ -52,6 +52,8 @@ def main() -> int:
                     "--quiet",
                     "--output",
                     oracle,
+                    "--follow",
+                    driver,
                 ]
                 if subprocess.run(["mpirun", "-n", str(ranks), *program, *overrides]).returncode != 0:
                     return 2

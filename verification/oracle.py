@@ -1,6 +1,9 @@
 """The oracle: the same scene as thermocontact's, solved with dolfinx from a weak form of its own.
 
-    mpirun -n P python3 verification/oracle.py SCENE.toml --output DIR [--set KEY=VALUE]... [--quiet]
+    mpirun -n P python3 verification/oracle.py SCENE.toml --output DIR [--set KEY=VALUE]... [--follow DIR] [--quiet]
+
+Where time.tolerance adapts the steps, `--follow` names the results of the driver, whose steps.csv says which steps are
+taken: the oracle judges what is solved in them, not how they were chosen.
 
 Each step solves, first, the momentum balance for the velocity w_s at its stage (time_steps.py; of backward Euler, its
 end), with u_s = u_b + tau w_s and u_b, w_b, theta_b what the step knows of these before,
@@ -20,6 +23,7 @@ Physics that the scene leaves out contributes no form. Exit codes: 0 completed, 
 """
 
 import argparse
+import csv
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -39,6 +43,22 @@ from oracle_parts.summary import summary, write_summary
 from oracle_parts.time_steps import Step, step_of
 
 MOST_TURNS = 50  # of iterated coupling
+
+
+Parts = dict[int, list[tuple[float, float]]]  # of each step: where they end, and their sizes
+
+
+def parts_of(scene: Scene, follow: Path | None) -> Parts:
+    """One part a step, unless the steps are adapted."""
+    if not scene.adapts:
+        return {step: [(step * scene.step, scene.step)] for step in range(1, scene.steps + 1)}
+    if follow is None:
+        raise SceneError("time.tolerance: the oracle needs --follow to know the steps")
+    parts: Parts = {step: [] for step in range(1, scene.steps + 1)}
+    with (follow / "steps.csv").open(encoding="ascii") as file:
+        for row in csv.DictReader(file):
+            parts[int(row["step"])].append((float(row["time"]), float(row["length"])))
+    return parts
 
 
 def l2_norm(matrix: Any, vector: Any) -> float:
@@ -118,7 +138,9 @@ def diagnostics(problem: Problem, momentum: Momentum | None, heat: HeatBalance |
     return values
 
 
-def march(problem: Problem, directory: Path, watch: Stopwatch, history: History, quiet: bool) -> None:
+def march(
+    problem: Problem, parts: Parts, directory: Path, watch: Stopwatch, history: History, quiet: bool
+) -> None:
     scene, comm = problem.scene, problem.mesh.comm
     momentum = Momentum(problem) if scene.material else None
     heat = HeatBalance(problem) if scene.heat else None
@@ -132,11 +154,14 @@ def march(problem: Problem, directory: Path, watch: Stopwatch, history: History,
     with watch.timing("output"):
         writer.write(0, 0.0)
     before: float | None = None
+    time = 0.0
     for step in range(1, scene.steps + 1):
-        time = step * scene.step
         with watch.timing("steps"):
-            now = step_of(scene.radius, time - scene.step, time, scene.step, before)
-            iterations, before = take(problem, now, momentum, heat), scene.step
+            iterations = 0
+            for end, size in parts[step]:
+                now = step_of(scene.radius, time, end, size, before)
+                iterations += take(problem, now, momentum, heat)
+                time, before = end, size
             values = diagnostics(problem, momentum, heat)
         history.append(step, time, iterations, values)
         with watch.timing("output"):
@@ -148,7 +173,7 @@ def march(problem: Problem, directory: Path, watch: Stopwatch, history: History,
     watch.seconds["factor"] = sum(equation.solver_seconds for equation in equations)
 
 
-def run(comm: Any, scene: Scene, directory: Path, quiet: bool) -> None:
+def run(comm: Any, scene: Scene, parts: Parts, directory: Path, quiet: bool) -> None:
     watch = Stopwatch()
     if comm.rank == 0:
         directory.mkdir(parents=True, exist_ok=True)
@@ -158,7 +183,7 @@ def run(comm: Any, scene: Scene, directory: Path, quiet: bool) -> None:
     history = History(directory, comm)
     failure: NumericsError | None = None
     try:
-        march(problem, directory, watch, history, quiet)
+        march(problem, parts, directory, watch, history, quiet)
     except NumericsError as caught:
         failure = caught
     history.close()
@@ -173,11 +198,13 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("scene", type=Path)
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="settings")
+    parser.add_argument("--follow", type=Path, metavar="DIR")
     parser.add_argument("--quiet", action="store_true")
     options = parser.parse_args(arguments)
     comm = MPI.COMM_WORLD
     try:
-        run(comm, read_scene(options.scene, options.settings), options.output, options.quiet)
+        scene = read_scene(options.scene, options.settings)
+        run(comm, scene, parts_of(scene, options.follow), options.output, options.quiet)
     except SceneError as problem:
         return report(comm, problem, 2)
     except NumericsError as problem:

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "march/balance.h"
+#include "march/step_error.h"
 #include "march/step_rule.h"
 #include "model/loads.h"
 #include "parallel/team.h"
@@ -34,11 +35,14 @@ class Heat {
     /// computed. Throws StepFailure.
     SolveReport solve(const std::vector<double>& displacement);
 
-    /// Moves the state's temperature, and its rate where the scheme has one, to the end of the step.
-    void accept(State& state, bool carry_rates);
+    /// Completes the solved step; the error that it adds, where there is heat capacity.
+    double complete(const State& state, bool estimate_error);
 
-    /// theta + alpha k q, or theta where the scheme takes no rates: what is known of the stage before it is
-    /// solved.
+    /// Moves the state's temperature, and what the scheme knows of its rate, to the end of the completed
+    /// step.
+    void accept(State& state, const Scheme& scheme);
+
+    /// theta + alpha k q, in backward Euler theta: what is known of the stage before it is solved.
     const std::vector<double>& expected_temperature() const { return expected_; }
     /// theta_s, from solve().
     const std::vector<double>& stage_temperature() const { return stage_; }

@@ -118,7 +118,7 @@ void Momentum::begin(const StepRule& rule, const State& state) {
         extrapolate(rule.memory(), state.velocity, state.velocity_rate, base_velocity_);
         apply(base_velocity_, base_displacement_, base_);
     }
-    extrapolate(rule.alpha * rule.step, state.velocity, state.velocity_rate, stage_velocity_);
+    extrapolate(rule.outlook(), state.velocity, state.velocity_rate, stage_velocity_);
     new_displacement_ = state.displacement;
     balance_->prescribed().apply(rule.end, new_displacement_);
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
@@ -142,23 +142,21 @@ SolveReport Momentum::solve(const std::vector<double>& temperature) {
     return report;
 }
 
-void Momentum::accept(State& state, bool carry_rates) {
+void Momentum::accept(State& state, const Scheme& scheme) {
     timed(audit_seconds_, [&] {
-        complete(state);
         apply(new_velocity_, new_displacement_, now_);
         audit(state);
     });
-    if (carry_rates) {
-        renew_rate(rule_, state.displacement, new_displacement_, state.displacement_rate);
-        renew_rate(rule_, state.velocity, new_velocity_, state.velocity_rate);
-    }
+    renew_rates(scheme, rule_, state.displacement, new_displacement_, state.displacement_rate,
+                state.displacement_curvature);
+    renew_rates(scheme, rule_, state.velocity, new_velocity_, state.velocity_rate, state.velocity_curvature);
     std::swap(old_, now_);
     std::swap(state.displacement, new_displacement_);
     std::swap(state.velocity, new_velocity_);
 }
 
 /// The prescribed displacements are those of begin(), to the last bit.
-void Momentum::complete(const State& state) {
+double Momentum::complete(const State& state, bool estimate_error) {
     new_velocity_.resize(stage_velocity_.size());
     for (std::size_t i = 0; i < stage_velocity_.size(); ++i) {
         if (balance_->prescribed().fixed()[i] == 0) {
@@ -166,6 +164,17 @@ void Momentum::complete(const State& state) {
         }
         new_velocity_[i] = rule_.completed(state.velocity[i], stage_velocity_[i]);
     }
+    if (!estimate_error) {
+        return 0;
+    }
+    const double of_displacement =
+        step_error(rule_, state.curvature_lag, state.displacement, new_displacement_, state.displacement_rate,
+                   state.displacement_curvature)
+            .relative(*team_);
+    const double of_velocity = step_error(rule_, state.curvature_lag, state.velocity, new_velocity_,
+                                          state.velocity_rate, state.velocity_curvature)
+                                   .relative(*team_);
+    return mass_ ? std::max(of_displacement, of_velocity) : of_displacement;
 }
 
 MomentumForces Momentum::collect_forces() {

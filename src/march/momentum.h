@@ -12,6 +12,7 @@
 
 #include "march/balance.h"
 #include "march/momentum_audit.h"
+#include "march/step_error.h"
 #include "march/step_rule.h"
 #include "model/loads.h"
 #include "parallel/team.h"
@@ -33,9 +34,13 @@ class Momentum {
     /// Solves with the temperature in the thermal stress. Throws StepFailure.
     SolveReport solve(const std::vector<double>& temperature);
 
-    /// Moves the state's displacement and velocity, and their rates where the scheme has them, to the end of
-    /// the step, and adds the step to the audit.
-    void accept(State& state, bool carry_rates);
+    /// Completes the solved step and says what it adds to the errors of displacement and velocity (the latter
+    /// only where there is inertia), relative to their largest values.
+    double complete(const State& state, bool estimate_error);
+
+    /// Moves the state's displacement and velocity, and what the scheme knows of their rates, to the end of
+    /// the completed step, and adds the step to the audit.
+    void accept(State& state, const Scheme& scheme);
 
     /// The displacement at the stage, from solve(); its address stays.
     const std::vector<double>& stage_displacement() const { return stage_displacement_; }
@@ -72,7 +77,6 @@ class Momentum {
 
     /// Products of w_hat and u_hat.
     const Products& base() const { return rule_.memory() == 0 ? old_ : base_; }
-    void complete(const State& state);
     MomentumForces collect_forces();
     Energies energies(const State& old) const;
     void audit(const State& old);

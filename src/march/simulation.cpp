@@ -67,9 +67,9 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
     }
 }
 
-/// The systems of uniform steps, that of the first one last: what is singular is so before the first step.
+/// The systems of equal steps, that of the first one last: what is singular is so before the first step.
 void Simulation::prepare() {
-    const double k = scene_->time.end / scene_->time.steps;
+    const double k = rule(Subdivision(state_.halvings)).step;
     for (const double last_step : {k, 0.0}) {
         const double tau = scheme_.rule(0.0, k, k, last_step).tau;
         if (momentum_) {
@@ -82,6 +82,10 @@ void Simulation::prepare() {
 }
 
 void Simulation::initialise() {
+    if (scene_->time.tolerance) {
+        control_ = {*scene_->time.tolerance};
+        state_.halvings = Subdivision::most_halvings;
+    }
     const int d = scene_->dimension;
     if (scene_->material) {
         state_.displacement = model::interpolate(part_.space, scene_->initial.displacement, d, 0.0);
@@ -100,17 +104,16 @@ void Simulation::initialise() {
 
 void Simulation::advance() {
     std::optional<State> before;  // by then nothing has changed: kept only where a part may succeed
-    Subdivision parts;
+    Subdivision parts(state_.halvings);
     StepCounts counts;
     while (!parts.done()) {
         try {
-            take(rule(parts), counts);
-            parts.accept();
+            attempt(parts, counts);
         } catch (const StepFailure& failure) {
             if (!before) {
                 before = state_;
             }
-            if (!parts.halve()) {
+            if (!parts.fail()) {
                 give_up(*before, parts, failure.what());
             }
         } catch (const NumericsError& error) {
@@ -118,7 +121,9 @@ void Simulation::advance() {
         }
     }
     ++state_.step;
+    state_.halvings = control_ ? parts.halvings() : 0;
     counts.failed_attempts = parts.failures();
+    counts.rejections = parts.rejections();
     counts.smallest_step = parts.smallest() * scene_->time.end / scene_->time.steps;
     count_step(counts);
 }
@@ -129,7 +134,23 @@ StepRule Simulation::rule(const Subdivision& parts) const {
                         time.end / time.steps * parts.length(), state_.last_step);
 }
 
-void Simulation::take(const StepRule& rule, StepCounts& counts) {
+/// The next part, unless it errs too much.
+void Simulation::attempt(Subdivision& parts, StepCounts& counts) {
+    const StepRule rule = this->rule(parts);
+    const double error = solve(rule, counts);
+    if (control_ && !control_->accepts(error)) {
+        if (parts.reject()) {
+            return;
+        }
+        ++counts.beyond_tolerance;
+    }
+    accept(rule);
+    counts.parts.push_back({rule.end, rule.step, error});
+    parts.accept(!control_ || control_->lengthens(error, rule.order));
+}
+
+/// Returns the error that the step would add, 0 where steps are not adapted. The state does not change.
+double Simulation::solve(const StepRule& rule, StepCounts& counts) {
     model::update(surfaces_, part_.space, rule.stage_time());
     if (momentum_) {
         momentum_->begin(rule, state_);
@@ -137,24 +158,31 @@ void Simulation::take(const StepRule& rule, StepCounts& counts) {
     if (heat_) {
         heat_->begin(rule, state_);
     }
-    solve(counts);
+    solve_balances(counts);
+    const bool estimate = control_.has_value();
+    const double mechanical = momentum_ ? momentum_->complete(state_, estimate) : 0.0;
+    const double thermal = heat_ ? heat_->complete(state_, estimate) : 0.0;
+    return std::max(mechanical, thermal);
+}
+
+void Simulation::accept(const StepRule& rule) {
     if (momentum_) {
-        momentum_->accept(state_, scheme_.carries_rates());
+        momentum_->accept(state_, scheme_);
     }
     if (heat_) {
-        heat_->accept(state_, scheme_.carries_rates());
+        heat_->accept(state_, scheme_);
     }
     state_.time = rule.end;
     state_.last_step = scheme_.carries_rates() ? rule.step : 0;
+    state_.curvature_lag = scheme_.carries_curvature() && rule.lag >= 0 ? curvature_lag(rule) : 0;
     if (rule.stage_time() != rule.end) {
         model::update(surfaces_, part_.space, rule.end);
     }
-    ++counts.parts;
 }
 
 /// Momentum takes the temperature that is known before the step, heat the displacement: of the last state in
 /// the paper's scheme; in those of second order the expected temperature and the displacement just computed.
-void Simulation::solve(StepCounts& counts) {
+void Simulation::solve_balances(StepCounts& counts) {
     if (momentum_ && heat_ && scene_->time.coupling_tolerance) {
         solve_coupled(counts);
         return;
@@ -163,7 +191,7 @@ void Simulation::solve(StepCounts& counts) {
         counts.momentum.add(momentum_->solve(heat_ ? heat_->expected_temperature() : no_heat_));
     }
     if (heat_) {
-        const bool just_computed = momentum_ && scheme_.carries_rates();
+        const bool just_computed = momentum_ && scheme_.second_order();
         counts.heat.add(heat_->solve(just_computed ? momentum_->stage_displacement() : state_.displacement));
     }
 }
@@ -233,9 +261,12 @@ void Simulation::count_step(const StepCounts& counts) {
     totals_.max_iterations_in_a_step = std::max(totals_.max_iterations_in_a_step, iterations);
     totals_.retries += counts.momentum.retries + counts.heat.retries;
     totals_.failed_attempts += counts.failed_attempts;
-    if (counts.parts > 1) {
+    totals_.rejections += counts.rejections;
+    totals_.beyond_tolerance += counts.beyond_tolerance;
+    totals_.steps += static_cast<int>(counts.parts.size());
+    if (counts.failed_attempts > 0) {
         ++totals_.divided_steps;
-        totals_.parts += counts.parts;
+        totals_.parts += static_cast<int>(counts.parts.size());
     }
     totals_.smallest_step = totals_.smallest_step == 0
                                 ? counts.smallest_step
@@ -289,7 +320,16 @@ Record Simulation::record() {
                {"heat_iterations", last_.heat.iterations},
                {"retries", last_.momentum.retries + last_.heat.retries},
                {"failed_attempts", last_.failed_attempts},
-               {"substeps", last_.parts}};
+               {"substeps", static_cast<double>(last_.parts.size())}};
+    if (control_) {
+        double largest = 0;
+        for (const AcceptedPart& part : last_.parts) {
+            largest = std::max(largest, part.error_estimate);
+        }
+        row.insert(row.end(), {{"rejected_substeps", last_.rejections},
+                               {"smallest_substep", last_.smallest_step},
+                               {"error_estimate", largest}});
+    }
     row.insert(row.end(), balances_.begin(), balances_.end());
     if (!surfaces_.empty()) {
         double area = 0, closed = 0, slipping = 0, deepest = 0;

@@ -3,6 +3,10 @@
 /// Recovery: a step that Newton's method with its line search does not solve is solved by continuation in the
 /// regularisation (Balance); where that fails too, it is taken in smaller steps (Subdivision); where even the
 /// smallest fails, the state before the step is restored and the run ends with what was tried.
+///
+/// Adaptive steps are the same parts of the scene's steps: a part that errs too much (step_error.h) is halved
+/// before it is accepted, so that there is nothing to restore; one that errs little is followed by a longer
+/// one.
 #pragma once
 
 #include <map>
@@ -19,6 +23,12 @@
 
 namespace thermocontact::march {
 
+/// A step, or a part of one, that was accepted.
+struct AcceptedPart {
+    double end, length;     ///< s
+    double error_estimate;  ///< relative; 0 where steps are not adapted
+};
+
 /// Totals over the steps so far.
 struct Totals {
     int iterations = 0;
@@ -26,6 +36,9 @@ struct Totals {
     int retries = 0;           ///< solves of a balance beyond the first: continuation
     int divided_steps = 0;     ///< steps that were taken in parts
     int parts = 0;             ///< those parts
+    int steps = 0;             ///< steps and parts accepted
+    int rejections = 0;        ///< parts that erred too much
+    int beyond_tolerance = 0;  ///< accepted parts that did so, too, for there are no shorter ones
     int failed_attempts = 0;   ///< steps and parts that failed before
     double smallest_step = 0;  ///< accepted or failed, s; 0: none yet
     double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
@@ -56,6 +69,8 @@ class Simulation {
     const model::ContactSurfaces& surfaces() const { return surfaces_; }
     model::ContactProbe& probe(std::size_t surface) { return *probes_[surface]; }
     const Totals& totals() const { return totals_; }
+    /// Of the last step.
+    const std::vector<AcceptedPart>& parts() const { return last_.parts; }
 
     /// Seconds spent in factorisation so far.
     double factor_seconds() const;
@@ -88,15 +103,18 @@ class Simulation {
     /// What happened in the last step.
     struct StepCounts {
         SolveReport momentum, heat;
-        int parts = 0, failed_attempts = 0;
+        std::vector<AcceptedPart> parts;
+        int failed_attempts = 0, rejections = 0, beyond_tolerance = 0;
         double smallest_step = 0;  ///< s
     };
 
     void initialise();
     void prepare();
     StepRule rule(const Subdivision& parts) const;
-    void take(const StepRule& rule, StepCounts& counts);
-    void solve(StepCounts& counts);
+    void attempt(Subdivision& parts, StepCounts& counts);
+    double solve(const StepRule& rule, StepCounts& counts);
+    void accept(const StepRule& rule);
+    void solve_balances(StepCounts& counts);
     void solve_coupled(StepCounts& counts);
     void give_up(const State& before, const Subdivision& parts, const std::string& reason);
     void count_step(const StepCounts& counts);
@@ -107,6 +125,7 @@ class Simulation {
     std::unique_ptr<solve::Strategy> strategy_;
     model::ContactSurfaces surfaces_;
     Scheme scheme_;
+    std::optional<ErrorControl> control_;
     State state_;
     std::vector<double> no_motion_;  ///< displacement and velocity of a scene without mechanics
     std::vector<double> no_heat_;    ///< temperature of a scene without heat: none

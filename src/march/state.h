@@ -19,6 +19,12 @@ struct State {
     /// takes none, and before the first step.
     double last_step = 0;  ///< size of the step that left them, s; 0: there are none
     std::vector<double> displacement_rate, velocity_rate, temperature_rate;
+
+    /// Of adaptive steps (step_error.h): how often the scene's step is to be halved next, and the last y'' of
+    /// the fields with the time since it held.
+    int halvings = 0;
+    double curvature_lag = 0;  ///< s; 0: there is none
+    std::vector<double> displacement_curvature, velocity_curvature, temperature_curvature;
 };
 
 /// How a nonlinear solve went.

@@ -34,7 +34,7 @@ void write_row(std::ofstream& file, const march::Record& record, bool names) {
 /// Removes what an earlier run left, and nothing else.
 void clear(const std::filesystem::path& folder) {
     std::error_code ignored;
-    for (const char* file : {"summary.json", "history.csv", "fields.pvd"}) {
+    for (const char* file : {"summary.json", "history.csv", "steps.csv", "fields.pvd"}) {
         std::filesystem::remove(folder / file, ignored);
     }
     for (const auto& entry : std::filesystem::directory_iterator(folder / "fields", ignored)) {
@@ -55,6 +55,9 @@ Results::Results(std::filesystem::path folder, const scene::Scene& scene, march:
         if (!history_) {
             throw SystemError("cannot write " + (folder_ / "history.csv").string());
         }
+        if (scene.time.tolerance) {
+            steps_.open(folder_ / "steps.csv", std::ios::trunc);
+        }
         if (!scene.output.fields.empty()) {
             make_folder(folder_ / "fields");
         }
@@ -63,16 +66,32 @@ Results::Results(std::filesystem::path folder, const scene::Scene& scene, march:
     add_fields();
 }
 
+void Results::add_history(const march::Record& record) {
+    const auto add = [&](std::ofstream& file, const char* name, const march::Record& row) {
+        if (file.tellp() == 0) {
+            write_row(file, row, true);
+        }
+        write_row(file, row, false);
+        if (!file) {
+            throw SystemError("cannot write " + (folder_ / name).string() + " (disk full?)");
+        }
+    };
+    add(history_, "history.csv", record);
+    if (scene_->time.tolerance) {
+        for (const auto& [end, length, error] : simulation_->parts()) {
+            add(steps_, "steps.csv",
+                {{"step", simulation_->state().step},
+                 {"time", end},
+                 {"length", length},
+                 {"error_estimate", error}});
+        }
+    }
+}
+
 march::Record Results::add_step() {
     march::Record record = simulation_->record();
     if (first_process()) {
-        if (history_.tellp() == 0) {
-            write_row(history_, record, true);
-        }
-        write_row(history_, record, false);
-        if (!history_) {
-            throw SystemError("cannot write " + (folder_ / "history.csv").string() + " (disk full?)");
-        }
+        add_history(record);
     }
     const int step = simulation_->state().step;
     if (step % scene_->output.every == 0 || simulation_->finished()) {

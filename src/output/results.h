@@ -36,13 +36,14 @@ class Results {
 
   private:
     bool first_process() const { return simulation_->team().rank() == 0; }
+    void add_history(const march::Record& record);
     void write_grid(const std::string& name, const VtuGrid& grid);
 
     std::filesystem::path folder_;
     const scene::Scene* scene_;
     march::Simulation* simulation_;
     FieldGrids grids_;
-    std::ofstream history_;
+    std::ofstream history_, steps_;
     std::vector<PvdEntry> entries_;
     int last_fields_ = -1;
 };

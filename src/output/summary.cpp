@@ -82,6 +82,12 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                           {"divided_steps", totals.divided_steps},
                           {"substeps_of_these", totals.parts},
                           {"smallest_step", totals.smallest_step}};
+    if (scene.time.tolerance) {
+        result["adaptive"] = {{"accepted", totals.steps},
+                              {"rejected", totals.rejections},
+                              {"beyond_tolerance", totals.beyond_tolerance},
+                              {"smallest_step", totals.smallest_step}};
+    }
     result["audit"] = {
         {"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
     const march::StepSeconds parts = simulation.step_seconds();

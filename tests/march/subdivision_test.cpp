@@ -16,7 +16,7 @@ Parts march(double difficulty, double longest, Subdivision& parts) {
     while (!parts.done()) {
         const double begin = parts.end() - parts.length();
         if (begin < difficulty && difficulty <= parts.end() && parts.length() > longest) {
-            if (!parts.halve()) {
+            if (!parts.fail()) {
                 break;
             }
         } else {
@@ -61,13 +61,32 @@ TEST(Subdivision, PartsCoverTheStep) {
     }
 }
 
+TEST(Subdivision, BeginsShortAndLengthensWhenTold) {
+    Subdivision parts(2);
+    EXPECT_EQ(parts.length(), 0.25);
+    parts.accept(false);
+    parts.accept(false);
+    EXPECT_EQ(parts.length(), 0.25);
+    EXPECT_TRUE(parts.reject());
+    parts.accept(false);
+    EXPECT_EQ(parts.end() - parts.length(), 0.625);
+    parts.accept();
+    EXPECT_EQ(parts.length(), 0.25) << "at 3/4";
+    parts.accept();
+    EXPECT_TRUE(parts.done());
+    EXPECT_EQ(parts.halvings(), 1) << "of the next step, if it goes on as this one";
+    EXPECT_EQ(parts.rejections(), 1);
+    EXPECT_EQ(parts.failures(), 0);
+    EXPECT_FALSE(Subdivision(Subdivision::most_halvings).reject());
+}
+
 TEST(Subdivision, GivesUp) {
     Subdivision parts;
     EXPECT_EQ(march(0.3, 0.0, parts).size(), 3u) << "[0, 1/4], and two shorter ones before 0.3";
     EXPECT_EQ(parts.smallest(), 1.0 / (1 << Subdivision::most_halvings));
     Subdivision often;
     int failures = 1;
-    while (often.halve()) {
+    while (often.fail()) {
         ++failures;
         often.accept();
         often.accept();

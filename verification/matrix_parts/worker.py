@@ -2,7 +2,7 @@
 
     [mpirun -n P] python3 -m matrix_parts.worker JOBS.json
 
-JOBS.json lists pairs [scene file, output directory]. The exit code of each is written into its directory's parent as
+JOBS.json lists pairs [scene file, output directory], beside which "driver" has the driver's results. The exit code of each is written into its directory's parent as
 NAME.code; what went wrong is on stderr.
 """
 
@@ -22,7 +22,8 @@ from matrix_parts.runs import code_file
 def solve(scene: str, directory: Path) -> int:
     """The oracle's exit code; an exception that it does not foresee is one more failure of the system."""
     try:
-        return oracle.main([scene, "--output", str(directory), "--quiet"])
+        follow = ["--follow", str(directory.with_name("driver"))]
+        return oracle.main([scene, "--output", str(directory), *follow, "--quiet"])
     except Exception:
         traceback.print_exc()
         if MPI.COMM_WORLD.size > 1:

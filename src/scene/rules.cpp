@@ -72,6 +72,12 @@ void check_choice(const Settings& settings, const std::string& name, const std::
 }
 
 void check_time(const Settings& settings) {
+    if (settings.written("time.tolerance") && settings.value("time.scheme") == "midpoint") {
+        fail_at(settings, "time.tolerance",
+                "needs a scheme that damps; under time.scheme = \"midpoint\" what a load or contact starts "
+                "rings on "
+                "and no step is ever accurate");
+    }
     check_choice(settings, "time.spectral_radius", "time.scheme", "generalized-alpha");
     check_choice(settings, "time.coupling_tolerance", "time.coupling", "iterated");
     const Setting* step = settings.find("time.step");

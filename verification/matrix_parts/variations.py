@@ -66,7 +66,7 @@ def _schemes() -> dict[str, list[Variation]]:
         + vary(CONTACT, limit, 0.02, beside={scheme: "bdf2"})
         + vary(CONTACT, limit, 0.05, beside={**alpha, **iterated})
         + vary("heat", limit, 0.01)
-        + vary("mechanics", limit, 0.02, beside={scheme: "midpoint"}),
+        + vary("mechanics", limit, 0.02, beside={scheme: "bdf2"}),
         radius: vary(CONTACT, radius, 0.0, 0.8, 1.0, beside=alpha) + vary("heat", radius, 0.25, beside=alpha),
         coupling: [
             *vary(CONTACT, coupling, "lagged", same=DEFAULT),

@@ -1,6 +1,7 @@
 #include "output/checkpoints.h"
 
 #include "output/checkpoint.h"
+#include "parallel/together.h"
 
 namespace thermocontact::output {
 namespace {
@@ -28,9 +29,11 @@ void Checkpoints::write(Sync sync) {
     }
     const Stopwatch stopwatch;
     const march::Snapshot snapshot = simulation_->snapshot();
-    if (simulation_->team().rank() == 0) {
-        write_whole(folder_ / file_name, to_bytes({run_, snapshot}, *scene_), sync);
-    }
+    parallel::together(simulation_->team(), [&] {
+        if (simulation_->team().rank() == 0) {
+            write_whole(folder_ / file_name, to_bytes({run_, snapshot}, *scene_), sync);
+        }
+    });
     last_step_ = simulation_->state().step;
     cost_ = stopwatch.seconds() + (sync == Sync::no ? cost_of_sync : 0);
     since_last_ = {};

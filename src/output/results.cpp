@@ -55,7 +55,6 @@ Results::Results(std::filesystem::path folder, const scene::Scene& scene, march:
     // before anything that is later goes: what is left must be what the checkpoint says at any moment
     checkpoints_.write(earlier != nullptr ? Sync::yes : Sync::no);
     if_first([&] { open_files(continues); });
-    // the others wait for the folder
     last_fields_ = static_cast<int>(simulation.team().max(static_cast<double>(last_fields_)));
     if (!continues) {
         add_fields();

@@ -51,7 +51,8 @@ class Balance {
     const StepSeconds& seconds() const { return seconds_; }
     double factor_seconds() const { return factor_seconds_; }
     std::int64_t factor_entries() const { return problem().factor_entries(); }
-    std::size_t contact_unknowns() const { return problem().contact_dofs().size(); }
+    /// Unknowns that the contact term depends on; dofs of this process.
+    const std::vector<std::int32_t>& contact_dofs() const { return problem().contact_dofs(); }
 
   private:
     struct System {

@@ -88,7 +88,12 @@ void Simulation::initialise() {
 }
 
 void Simulation::advance() {
-    std::optional<State> before;  // by then nothing has changed: kept only where a part may succeed
+    // kept where a part may succeed before one fails, or where what follows its acceptance may: steps with
+    // rates end beyond their stage, and the expressions there are evaluated last (take())
+    std::optional<State> before;
+    if (scheme_.carries_rates()) {
+        before = state_;
+    }
     Subdivision parts;
     StepCounts counts;
     while (!parts.done()) {
@@ -302,9 +307,15 @@ std::int64_t Simulation::factor_entries() const {
            (heat_ ? heat_->balance().factor_entries() : 0);
 }
 
-std::size_t Simulation::contact_unknowns() const {
-    return (momentum_ ? momentum_->balance().contact_unknowns() : 0) +
-           (heat_ ? heat_->balance().contact_unknowns() : 0);
+std::int64_t Simulation::contact_unknowns() const {
+    const auto owned = [&](const std::vector<std::int32_t>& dofs, int components) {
+        return static_cast<double>(std::ranges::count_if(dofs, [&](std::int32_t dof) {
+            return part_.numbers.owns(static_cast<std::size_t>(dof / components));
+        }));
+    };
+    const double here = (momentum_ ? owned(momentum_->balance().contact_dofs(), scene_->dimension) : 0) +
+                        (heat_ ? owned(heat_->balance().contact_dofs(), 1) : 0);
+    return std::llround(team().sum(here));
 }
 
 std::map<std::string, model::ContactMeasures> Simulation::contact_measures() {

@@ -74,8 +74,8 @@ class Simulation {
     /// Numbers stored in the Cholesky factors.
     std::int64_t factor_entries() const;
 
-    /// Unknowns that are condensed, of both balances.
-    std::size_t contact_unknowns() const;
+    /// Unknowns that the contact laws depend on, of both balances, over all processes; every process calls.
+    std::int64_t contact_unknowns() const;
 
     /// The history's row of the current state; of the initial one before the first step.
     Record record();

@@ -23,6 +23,7 @@ struct NodeNumbers {
     std::int32_t begin() const { return first[static_cast<std::size_t>(rank)]; }  ///< owned from here
     std::int32_t end() const { return first[static_cast<std::size_t>(rank) + 1]; }
     std::int32_t total() const { return first.back(); }
+    bool owns(std::size_t node) const { return global[node] >= begin() && global[node] < end(); }
 };
 
 struct Part {

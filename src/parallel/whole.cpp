@@ -16,7 +16,7 @@ std::vector<double> to_whole(const NodeNumbers& numbers, const Team& team,
     // every number plus -0 is that number, also 0 and -0
     std::vector<double> whole(static_cast<std::size_t>(numbers.total()) * components, -0.0);
     for (std::size_t i = 0; i < nodes; ++i) {
-        if (numbers.global[i] >= numbers.begin() && numbers.global[i] < numbers.end()) {
+        if (numbers.owns(i)) {
             std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * components), components,
                         whole.begin() + static_cast<std::ptrdiff_t>(
                                             static_cast<std::size_t>(numbers.whole[i]) * components));

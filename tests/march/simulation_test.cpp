@@ -37,7 +37,7 @@ std::string failure_of(Simulation& simulation) {
 struct Presence {
     std::string scene;
     bool mechanics, heat;
-    std::size_t
+    std::int64_t
         contact_unknowns;  ///< on 17 nodes (paper: 33, heat-only: 25); the corners' temperature is prescribed
 };
 
@@ -314,7 +314,8 @@ struct Failing {
 
 const std::string falling = R"(
 mesh.cells = [4, 4]
-time = {end = 1, steps = 4}
+time.end = 1
+time.steps = 4
 solver.max_iterations = 1
 load.body_force = [0.5, -1]
 initial.velocity = [0.3, 0]
@@ -340,6 +341,10 @@ const std::vector<Failing> failing{
      {"step 2", "t = 0.5", "heat balance", "Newton stopped after 1 iterations", "time.steps"}},
     {"not_finite",
      "boundary.left.traction = [\"t < 0.3 ? 0 : 1e308*10\", 0]\n",
+     {"1e308*10", "t = 0.5", "finite"}},
+    {"not_finite_at_the_end",  // of the step: found when its stage is solved and accepted
+     "time.scheme = \"midpoint\"\n[boundary.bottom.contact]\ngap = \"t < 0.4 ? 1 : 1e308*10\"\n"
+     "compliance.stiffness = 1e4\n",
      {"1e308*10", "t = 0.5", "finite"}}};
 
 class Failures : public testing::TestWithParam<Failing> {};
@@ -362,6 +367,10 @@ TEST_P(Failures, RestoreTheStateAndSayWhatHappened) {
     EXPECT_EQ(after.displacement, before.displacement);
     EXPECT_EQ(after.velocity, before.velocity);
     EXPECT_EQ(after.temperature, before.temperature);
+    EXPECT_EQ(after.last_step, before.last_step);
+    EXPECT_EQ(after.displacement_rate, before.displacement_rate);
+    EXPECT_EQ(after.velocity_rate, before.velocity_rate);
+    EXPECT_EQ(after.temperature_rate, before.temperature_rate);
     EXPECT_EQ(simulation.norms(), norms_before);
     EXPECT_EQ(simulation.record(), record_before) << "the history's row of the state";
     EXPECT_EQ(simulation.totals().energy_residual, totals_before.energy_residual);

@@ -81,6 +81,17 @@ class Processes(unittest.TestCase):
             self.assertEqual(alone[table], several[table], table)
         self.assertFalse(list((self.results / "fields").glob("*_p*.vtu")), "pieces of the run before")
 
+    def test_unknowns_of_contact_are_those_of_the_whole_body(self) -> None:
+        """Two at each of the 7 nodes below, also where several processes have a node, or one process none."""
+        program = self.program('solver.strategy="newton-krylov"')
+        for count in (1, 2, 3):
+            with self.subTest(count):
+                self.assertEqual(mpirun(*[program] * count).returncode, 0)
+                solver = self.summary()["solver"]
+                assert isinstance(solver, dict)
+                self.assertEqual(solver["processes"], count)
+                self.assertEqual(solver["contact_unknowns"], 14)
+
     def test_more_processes_than_cells(self) -> None:
         reference = self.folder / "alone"
         sets = ["mesh.cells=[1,1]"]

@@ -1,6 +1,7 @@
 /// The processes that share a run.
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 #include <span>
 #include <type_traits>
@@ -8,11 +9,31 @@
 
 namespace thermocontact::parallel {
 
+/// Bytes for a process, or from it.
+struct Message {
+    int rank;
+    std::vector<std::byte> bytes;
+};
+
+/// What goes to a process and what comes from it, both of known length.
+struct Exchange {
+    int rank;
+    std::span<const std::byte> send;
+    std::span<std::byte> receive;
+};
+
 class Team {
   public:
     virtual ~Team() = default;
     virtual int rank() const = 0;
     virtual int size() const = 0;
+
+    /// Sends the messages, at most one to a process, and returns those that came, in order of their ranks.
+    /// Every process must call.
+    virtual std::vector<Message> deliver(const std::vector<Message>& messages) const = 0;
+
+    /// Exchanges with some other processes, each of which calls for its side of it.
+    virtual void exchange(std::span<const Exchange> exchanges) const = 0;
 
     /// Replaces each number by its sum, or its largest value, over all processes. Every process must call.
     virtual void sum(std::span<double> numbers) const = 0;
@@ -50,6 +71,8 @@ class Alone final : public Team {
     using Team::sum;
     int rank() const override { return 0; }
     int size() const override { return 1; }
+    std::vector<Message> deliver(const std::vector<Message>& messages) const override { return messages; }
+    void exchange(std::span<const Exchange>) const override {}
     void sum(std::span<double>) const override {}
     void max(std::span<double>) const override {}
 };

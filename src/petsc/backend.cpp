@@ -33,7 +33,46 @@ class MpiTeam final : public parallel::Team {
     void sum(std::span<double> numbers) const override { reduce(numbers, MPI_SUM); }
     void max(std::span<double> numbers) const override { reduce(numbers, MPI_MAX); }
 
+    std::vector<parallel::Message> deliver(const std::vector<parallel::Message>& messages) const override {
+        std::vector<int> leaving(static_cast<std::size_t>(size_), -1), coming(leaving.size());
+        for (const parallel::Message& message : messages) {
+            leaving[static_cast<std::size_t>(message.rank)] = static_cast<int>(message.bytes.size());
+        }
+        MPI_Alltoall(leaving.data(), 1, MPI_INT, coming.data(), 1, MPI_INT, PETSC_COMM_WORLD);
+        std::vector<parallel::Message> result;
+        std::vector<MPI_Request> requests;
+        for (int rank = 0; rank < size_; ++rank) {
+            if (const int length = coming[static_cast<std::size_t>(rank)]; length >= 0) {
+                result.push_back({rank, std::vector<std::byte>(static_cast<std::size_t>(length))});
+                MPI_Irecv(result.back().bytes.data(), length, MPI_BYTE, rank, tag, PETSC_COMM_WORLD,
+                          &requests.emplace_back());
+            }
+        }
+        for (const parallel::Message& message : messages) {
+            MPI_Isend(message.bytes.data(), static_cast<int>(message.bytes.size()), MPI_BYTE, message.rank,
+                      tag, PETSC_COMM_WORLD, &requests.emplace_back());
+        }
+        MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+        return result;
+    }
+
+    void exchange(std::span<const parallel::Exchange> exchanges) const override {
+        std::vector<MPI_Request> requests;
+        requests.reserve(2 * exchanges.size());
+        for (const parallel::Exchange& with : exchanges) {
+            MPI_Irecv(with.receive.data(), static_cast<int>(with.receive.size()), MPI_BYTE, with.rank, tag,
+                      PETSC_COMM_WORLD, &requests.emplace_back());
+        }
+        for (const parallel::Exchange& with : exchanges) {
+            MPI_Isend(with.send.data(), static_cast<int>(with.send.size()), MPI_BYTE, with.rank, tag,
+                      PETSC_COMM_WORLD, &requests.emplace_back());
+        }
+        MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    }
+
   private:
+    static constexpr int tag = 1;
+
     void reduce(std::span<double> numbers, MPI_Op operation) const {
         if (size_ > 1) {
             MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE,
@@ -58,15 +97,6 @@ std::vector<char*> petsc_words(int argc, char** argv) {
     return words;
 }
 
-/// An option that PETSc offers no function for, unless the user sets it.
-void set_default(const char* option, const char* value) {
-    PetscBool given = PETSC_FALSE;
-    check(PetscOptionsHasName(nullptr, nullptr, option, &given));
-    if (given == PETSC_FALSE) {
-        check(PetscOptionsSetValue(nullptr, option, value));
-    }
-}
-
 class PetscBackend final : public parallel::Backend {
   public:
     PetscBackend(int argc, char** argv) : words_(petsc_words(argc, argv)) {
@@ -76,9 +106,6 @@ class PetscBackend final : public parallel::Backend {
         PetscPopSignalHandler();                                  // SIGINT and SIGTERM are the driver's
         PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);  // check() tells of errors
         team_ = std::make_unique<MpiTeam>();
-        if (team_->size() > 1) {  // GAMG's own choice takes a third more memory
-            set_default("-matptap_via", "allatonce_merged");
-        }
         MPI_Comm_dup(PETSC_COMM_WORLD, &meeting_);
     }
     ~PetscBackend() override {

@@ -11,8 +11,8 @@ namespace thermocontact::petsc {
 struct Events {
     PetscLogEvent contact = 0;    ///< F and dF/dx on the contact facets
     PetscLogEvent product = 0;    ///< the tangent times a vector, and A times a vector
-    PetscLogEvent assembly = 0;   ///< the tangent as a matrix
-    PetscLogEvent hierarchy = 0;  ///< assembly and GAMG's set-up
+    PetscLogEvent hierarchy = 0;  ///< multigrid's set-up
+    PetscLogEvent cycle = 0;      ///< its V-cycles
     PetscLogEvent linear = 0;     ///< linear solves, hierarchy included
 
     static const Events& all() {
@@ -26,8 +26,8 @@ struct Events {
         check(PetscClassIdRegister("thermocontact", &group));
         check(PetscLogEventRegister("TCContact", group, &contact));
         check(PetscLogEventRegister("TCProduct", group, &product));
-        check(PetscLogEventRegister("TCAssembly", group, &assembly));
         check(PetscLogEventRegister("TCHierarchy", group, &hierarchy));
+        check(PetscLogEventRegister("TCCycle", group, &cycle));
         check(PetscLogEventRegister("TCLinearSolve", group, &linear));
     }
 };

@@ -20,10 +20,6 @@ constexpr double tightest = 1e-10;
 constexpr double beyond_tolerance = 0.01, near_tolerance = 10;
 constexpr PetscInt most_iterations = 1000;
 constexpr PetscInt gmres_restart = 60;
-/// Coarsening twice by the square of the graph without its weakest couplings: as many iterations as with
-/// GAMG's default, within 2 %, and four fifths of the work on coarse levels.
-constexpr PetscInt aggressive_levels = 2;
-constexpr PetscReal weakest_coupling = 0.01;
 constexpr double worn_out = 1.5;  ///< times the iterations of a new hierarchy: time for another
 constexpr int worn_out_margin = 5;
 
@@ -33,38 +29,19 @@ double norm(Vec v) {
     return result;
 }
 
-/// Rigid motions, or nothing for scalars, whose constant PETSc assumes by itself.
-void set_near_null_space(Mat matrix, const parallel::Part& part, SharedVectors& vectors) {
-    const int d = vectors.components();
-    if (d == 1) {
-        return;
-    }
-    const Vector coordinates = vectors.make();
-    check(VecSetBlockSize(coordinates, d));
-    for (std::size_t i = 0; i < part.space.nodes.size(); ++i) {
-        const PetscInt node = part.numbers.global[i];
-        check(VecSetValuesBlocked(coordinates, 1, &node, part.space.nodes[i].data(), INSERT_VALUES));
-    }
-    check(VecAssemblyBegin(coordinates));
-    check(VecAssemblyEnd(coordinates));
-    NearNullSpace motions;
-    check(MatNullSpaceCreateRigidBody(coordinates, motions.put()));
-    check(MatSetNearNullSpace(matrix, motions));
-}
-
 }  // namespace
 
 KrylovProblem::KrylovProblem(const solve::StepProblemInput& input, const parallel::Part& part,
                              const parallel::Team& team)
     : name_(input.name),
       matrix_(&input.matrix),
-      part_(&part),
       team_(&team),
       fixed_(input.fixed),
       options_(input.newton),
       symmetric_(input.symmetric),
       vectors_(part.numbers, input.matrix.rows),
-      tangent_(input.matrix, fixed_, part.numbers, vectors_) {
+      tangent_(input.matrix, fixed_, vectors_),
+      preconditioner_(input.matrix, fixed_, part, team) {
     const auto b = static_cast<std::size_t>(input.matrix.rows);
     for (std::size_t dof = 0; dof < fixed_.size(); ++dof) {
         if (input.contact_nodes[dof / b] != 0 && fixed_[dof] == 0) {
@@ -77,6 +54,7 @@ KrylovProblem::KrylovProblem(const solve::StepProblemInput& input, const paralle
     }
     local_x_.resize(fixed_.size());
     local_.resize(fixed_.size());
+    local_z_.resize(fixed_.size());
     contact_x_.resize(static_cast<Eigen::Index>(contact_dofs_.size()));
     make_solver();
 }
@@ -84,20 +62,18 @@ KrylovProblem::KrylovProblem(const solve::StepProblemInput& input, const paralle
 void KrylovProblem::make_solver() {
     check(KSPCreate(PETSC_COMM_WORLD, solver_.put()));
     check(KSPSetOptionsPrefix(solver_, (name_ + "_").c_str()));
-    check(KSPSetType(solver_, symmetric_ ? KSPCG : KSPGMRES));
+    // flexible ones: a preconditioner in single precision is not quite linear
+    check(KSPSetType(solver_, symmetric_ ? KSPCG : KSPFGMRES));
     if (!symmetric_) {
         check(KSPGMRESSetRestart(solver_, gmres_restart));
-        check(KSPSetPCSide(solver_, PC_RIGHT));
     }
     check(KSPSetNormType(solver_, KSP_NORM_UNPRECONDITIONED));
+    check(KSPSetOperators(solver_, tangent_.shell(), tangent_.shell()));
     PC preconditioner = nullptr;
     check(KSPGetPC(solver_, &preconditioner));
-    check(PCSetType(preconditioner, PCGAMG));
-    check(PCGAMGSetReuseInterpolation(preconditioner, PETSC_TRUE));
-    check(PCSetUseAmat(preconditioner, PETSC_TRUE));  // the finest level multiplies by the shell
-    check(PCGAMGSetAggressiveLevels(preconditioner, aggressive_levels));
-    std::array<PetscReal, 1> threshold{weakest_coupling};
-    check(PCGAMGSetThreshold(preconditioner, threshold.data(), 1));
+    check(PCSetType(preconditioner, PCSHELL));
+    check(PCShellSetContext(preconditioner, this));
+    check(PCShellSetApply(preconditioner, &KrylovProblem::precondition));
     check(KSPSetFromOptions(solver_));
 }
 
@@ -152,19 +128,26 @@ void KrylovProblem::update_tangent(solve::NonlinearTerm& F) {
     }
 }
 
-/// A new hierarchy for the tangent there is. Its finest level multiplies by the tangent, and the
-/// prolongations stay those of the first hierarchy.
+/// A new hierarchy for the tangent there is.
 void KrylovProblem::renew_hierarchy() {
     const Timed timed(Events::all().hierarchy);
-    const Mat assembled = tangent_.assemble();
-    if (!has_hierarchy_) {
-        set_near_null_space(assembled, *part_, vectors_);
+    preconditioner_.renew(tangent_.derivative());
+}
+
+PetscErrorCode KrylovProblem::precondition(PC shell, Vec r, Vec z) {
+    KrylovProblem* self = nullptr;
+    if (const PetscErrorCode code = PCShellGetContext(shell, &self); code != 0) {
+        return code;
     }
-    check(KSPSetOperators(solver_, tangent_.shell(), assembled));
-    check(KSPSetReusePreconditioner(solver_, PETSC_FALSE));
-    check(KSPSetUp(solver_));
-    check(KSPSetReusePreconditioner(solver_, PETSC_TRUE));
-    has_hierarchy_ = true;
+    try {
+        const Timed timed(Events::all().cycle);
+        self->vectors_.take(r, self->local_);
+        self->preconditioner_.apply(self->local_, self->local_z_);
+        self->vectors_.put(self->local_z_, z);
+    } catch (const SystemError&) {  // not through PETSc's frames
+        return PETSC_ERR_LIB;
+    }
+    return 0;
 }
 
 bool KrylovProblem::solve_linear(double tolerance) {

@@ -1,10 +1,11 @@
 /// Strategy "newton-krylov": Newton on the whole system, spread over the processes; CG or GMRES with
-/// algebraic multigrid. The constant part A is assembled once, only contact facets are revisited, and the
-/// multigrid hierarchy is used again for as long as its iterations stay near those of a new one.
+/// algebraic multigrid in single precision. The constant part A is assembled once, only contact facets are
+/// revisited, and the hierarchy is used again for as long as its iterations stay near those of a new one.
 #pragma once
 
 #include <optional>
 
+#include "multigrid/preconditioner.h"
 #include "parallel/part.h"
 #include "petsc/objects.h"
 #include "petsc/shared_vectors.h"
@@ -36,10 +37,10 @@ class KrylovProblem final : public solve::StepProblem {
     void renew_hierarchy();
     void free_only(std::vector<double>& local) const;
     void make_solver();
+    static PetscErrorCode precondition(PC shell, Vec r, Vec z);
 
     std::string name_;
     const fem::BlockMatrix* matrix_;
-    const parallel::Part* part_;
     const parallel::Team* team_;
     std::vector<char> fixed_;
     solve::NewtonOptions options_;
@@ -48,11 +49,11 @@ class KrylovProblem final : public solve::StepProblem {
     bool has_contact_;  ///< on any process
     SharedVectors vectors_;
     Tangent tangent_;
+    multigrid::Preconditioner preconditioner_;
     Solver solver_;
     Vector x_, rhs_, linear_, nonlinear_, residual_, update_, candidate_;
-    std::vector<double> local_x_, local_;
+    std::vector<double> local_x_, local_, local_z_;
     Eigen::VectorXd contact_x_, contact_F_;
-    bool has_hierarchy_ = false;
     std::optional<double> fresh_rate_;  ///< iterations a digit with a new hierarchy; empty: time for one
 };
 

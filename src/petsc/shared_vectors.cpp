@@ -41,6 +41,17 @@ void SharedVectors::add_up(const std::vector<double>& local, Vec shared) {
     check(VecResetArray(local_));
 }
 
+void SharedVectors::put(const std::vector<double>& local, Vec shared) const {
+    double* values = nullptr;
+    check(VecGetArray(shared, &values));
+    for (std::size_t dof = 0; dof < local.size(); ++dof) {
+        if (const PetscInt index = owned_index(dof); index >= 0) {
+            values[index] = local[dof];
+        }
+    }
+    check(VecRestoreArray(shared, &values));
+}
+
 void SharedVectors::take(Vec shared, std::vector<double>& local) {
     check(VecPlaceArray(local_, local.data()));
     check(VecScatterBegin(scatter_, shared, local_, INSERT_VALUES, SCATTER_FORWARD));

@@ -19,6 +19,9 @@ class SharedVectors {
     /// Adds up what the processes hold at shared nodes; `local` [nodes][components].
     void add_up(const std::vector<double>& local, Vec shared);
 
+    /// The values of the nodes that this process owns.
+    void put(const std::vector<double>& local, Vec shared) const;
+
     /// The values at all nodes of the part.
     void take(Vec shared, std::vector<double>& local);
 

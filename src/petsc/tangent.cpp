@@ -2,18 +2,11 @@
 
 #include "petsc/check.h"
 #include "petsc/events.h"
-#include "petsc/shared_matrix.h"
 
 namespace thermocontact::petsc {
 
-Tangent::Tangent(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
-                 const parallel::NodeNumbers& numbers, SharedVectors& vectors)
-    : matrix_(&matrix),
-      fixed_(&fixed),
-      numbers_(&numbers),
-      vectors_(&vectors),
-      local_x_(fixed.size()),
-      local_y_(fixed.size()) {
+Tangent::Tangent(const fem::BlockMatrix& matrix, const std::vector<char>& fixed, SharedVectors& vectors)
+    : matrix_(&matrix), vectors_(&vectors), local_x_(fixed.size()), local_y_(fixed.size()) {
     const auto b = static_cast<std::size_t>(matrix.rows);
     std::vector<double>& diagonal = local_y_;
     for (std::size_t dof = 0; dof < fixed.size(); ++dof) {
@@ -98,9 +91,9 @@ void Tangent::apply(Vec x, Vec y) {
 }
 
 void Tangent::add_derivative(const std::vector<double>& x, std::vector<double>& y) const {
-    const std::int32_t* dofs = piece_dofs_.data();
-    const double* values = piece_values_.data();
-    for (const std::int32_t n : piece_sizes_) {
+    const std::int32_t* dofs = derivative_.dofs.data();
+    const double* values = derivative_.values.data();
+    for (const std::int32_t n : derivative_.sizes) {
         for (std::int32_t i = 0; i < n; ++i, values += n) {
             double sum = 0;
             for (std::int32_t j = 0; j < n; ++j) {
@@ -113,54 +106,29 @@ void Tangent::add_derivative(const std::vector<double>& x, std::vector<double>& 
 }
 
 void Tangent::drop_derivative() {
-    piece_sizes_.clear();
-    piece_dofs_.clear();
-    piece_values_.clear();
+    derivative_.sizes.clear();
+    derivative_.dofs.clear();
+    derivative_.values.clear();
 }
 
 void Tangent::set_derivative(solve::NonlinearTerm& F, const Eigen::VectorXd& x,
                              const std::vector<std::int32_t>& dofs) {
     drop_derivative();
     F.visit_derivative(x, [&](std::span<const std::int32_t> unknowns, std::span<const double> values) {
-        const std::size_t before = piece_dofs_.size();
+        const std::size_t before = derivative_.dofs.size();
         for (std::size_t i = 0; i < unknowns.size(); ++i) {
             if (unknowns[i] < 0) {
                 continue;
             }
-            piece_dofs_.push_back(dofs[static_cast<std::size_t>(unknowns[i])]);
+            derivative_.dofs.push_back(dofs[static_cast<std::size_t>(unknowns[i])]);
             for (std::size_t j = 0; j < unknowns.size(); ++j) {
                 if (unknowns[j] >= 0) {
-                    piece_values_.push_back(values[i * unknowns.size() + j]);
+                    derivative_.values.push_back(values[i * unknowns.size() + j]);
                 }
             }
         }
-        piece_sizes_.push_back(static_cast<std::int32_t>(piece_dofs_.size() - before));
+        derivative_.sizes.push_back(static_cast<std::int32_t>(derivative_.dofs.size() - before));
     });
-}
-
-Mat Tangent::assemble() {
-    const Timed timed(Events::all().assembly);
-    if (assembled_.get() == nullptr) {
-        assembled_ = preallocate(*matrix_->graph, matrix_->rows, *numbers_);
-    } else {
-        check(MatZeroEntries(assembled_));
-    }
-    add_values(*matrix_, *fixed_, *numbers_, assembled_);
-    const std::int32_t* dofs = piece_dofs_.data();
-    const double* values = piece_values_.data();
-    std::vector<PetscInt> rows;
-    for (const std::int32_t n : piece_sizes_) {
-        rows.clear();
-        for (std::int32_t i = 0; i < n; ++i) {
-            rows.push_back(vectors_->global_index(static_cast<std::size_t>(dofs[i])));
-        }
-        check(MatSetValues(assembled_, n, rows.data(), n, rows.data(), values, ADD_VALUES));
-        dofs += n;
-        values += std::ptrdiff_t{n} * n;
-    }
-    check(MatAssemblyBegin(assembled_, MAT_FINAL_ASSEMBLY));
-    check(MatAssemblyEnd(assembled_, MAT_FINAL_ASSEMBLY));
-    return assembled_;
 }
 
 }  // namespace thermocontact::petsc

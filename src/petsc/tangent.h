@@ -1,14 +1,14 @@
 /// The derivative A + dF/dx of a step's equation, applied without being assembled over the processes.
 ///
 /// Each process multiplies what it holds of A, of which it stores the upper triangle by blocks, and the dense
-/// pieces of its contact facets; what several hold of a shared node adds up. An assembled matrix takes 2.7
-/// times the memory, and a product is bound by how fast that is read. Multigrid needs one when its hierarchy
-/// is made: assemble().
+/// pieces of its contact facets; what several hold of a shared node adds up. An assembled matrix would
+/// take 2.7 times the memory, and a product is bound by how fast that is read.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "multigrid/matrix.h"
 #include "parallel/part.h"
 #include "petsc/objects.h"
 #include "petsc/shared_vectors.h"
@@ -20,8 +20,7 @@ class Tangent {
   public:
     /// `matrix` and `fixed` [dofs] as in StepProblemInput; all arguments must outlive the object. Rows and
     /// columns of fixed dofs hold their diagonal entry only. Throws SystemError.
-    Tangent(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
-            const parallel::NodeNumbers& numbers, SharedVectors& vectors);
+    Tangent(const fem::BlockMatrix& matrix, const std::vector<char>& fixed, SharedVectors& vectors);
     Tangent(const Tangent&) = delete;
     Tangent& operator=(const Tangent&) = delete;
 
@@ -33,8 +32,8 @@ class Tangent {
     /// The matrix as PETSc's solvers take it: it can only be multiplied.
     Mat shell() const { return shell_; }
 
-    /// The same with its entries; made anew at each call, in the memory of the first.
-    Mat assemble();
+    /// dF/dx: dense pieces on dofs of the part.
+    const multigrid::Pieces& derivative() const { return derivative_; }
 
     /// y = A x over the dofs that are not fixed, zero at those; `x` [dofs] with zeros at the fixed ones.
     void multiply_constant(const std::vector<double>& x, Vec y);
@@ -49,16 +48,13 @@ class Tangent {
     void zero_fixed(std::vector<double>& values) const;
 
     const fem::BlockMatrix* matrix_;
-    const std::vector<char>* fixed_;
-    const parallel::NodeNumbers* numbers_;
     SharedVectors* vectors_;
     std::vector<std::int32_t> fixed_dofs_;
     std::vector<PetscInt> owned_fixed_;  ///< among the owned
     std::vector<double> fixed_diagonal_;
-    std::vector<std::int32_t> piece_sizes_, piece_dofs_;  ///< dF/dx: dense pieces on dofs of the part
-    std::vector<double> piece_values_;
+    multigrid::Pieces derivative_;
     std::vector<double> local_x_, local_y_;
-    Matrix shell_, assembled_;
+    Matrix shell_;
 };
 
 }  // namespace thermocontact::petsc

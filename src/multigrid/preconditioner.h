@@ -1,0 +1,38 @@
+/// A preconditioner for the tangent A + dF/dx of a step's equation, of which A stays and dF/dx changes.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "multigrid/hierarchy.h"
+#include "parallel/part.h"
+
+namespace thermocontact::multigrid {
+
+class Preconditioner {
+  public:
+    /// `A` and `fixed` [dofs] are those of the part. All arguments must outlive the object. Every process
+    /// must call.
+    Preconditioner(const fem::BlockMatrix& A, const std::vector<char>& fixed, const parallel::Part& part,
+                   const parallel::Team& team);
+
+    /// A new hierarchy, for A and the symmetric part of `D` = dF/dx. Every process must call.
+    void renew(const Pieces& D);
+
+    /// z = M^-1 r; both [dofs], the same at shared nodes wherever these are held. Every process must call.
+    void apply(const std::vector<double>& r, std::vector<double>& z);
+
+  private:
+    NearNullSpace motions(const Matrix& fine) const;
+
+    const fem::BlockMatrix* A_;
+    const std::vector<char>* fixed_;
+    const parallel::Part* part_;
+    SharedNodes nodes_;
+    std::vector<float> holders_;            ///< [nodes]: processes that hold it
+    std::vector<float> constant_diagonal_;  ///< of A alone, scaled, added up: [nodes][size][lanes(size)]
+    double scale_ = 1;                      ///< of A: its largest entry on the diagonal
+    std::unique_ptr<Hierarchy> hierarchy_;
+};
+
+}  // namespace thermocontact::multigrid

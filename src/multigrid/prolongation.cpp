@@ -1,0 +1,224 @@
+#include "multigrid/prolongation.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <span>
+
+#include "multigrid/blocks.h"
+#include "multigrid/row_collector.h"
+
+namespace thermocontact::multigrid {
+namespace {
+
+constexpr double damping = 4.0 / 3.0;
+
+/// Pairs of each node with nodes before it: those of the lower triangle.
+struct Before {
+    std::vector<std::int32_t> offsets, nodes, pairs;
+};
+
+Before lower_triangle(const Matrix& A) {
+    const auto count = static_cast<std::size_t>(A.node_count());
+    Before result;
+    result.offsets.assign(count + 1, 0);
+    for (const std::int32_t j : A.columns) {
+        ++result.offsets[static_cast<std::size_t>(j) + 1];
+    }
+    std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+    result.nodes.resize(A.columns.size());
+    result.pairs.resize(A.columns.size());
+    auto next = result.offsets;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (auto pair = A.offsets[i]; pair < A.offsets[i + 1]; ++pair) {
+            const auto j = static_cast<std::size_t>(A.columns[static_cast<std::size_t>(pair)]);
+            const auto place = static_cast<std::size_t>(next[j]++);
+            result.nodes[place] = static_cast<std::int32_t>(i);
+            result.pairs[place] = pair;
+        }
+    }
+    return result;
+}
+
+/// The coarse nodes that rows of this process name: its own, then those of others in order.
+class CoarseNodes {
+  public:
+    CoarseNodes(std::int32_t begin, std::int32_t end, const Rows& rows) : begin_(begin), own_(end - begin) {
+        std::set<std::int32_t> others;
+        for (const std::int32_t global : rows.columns) {
+            if (global < begin || global >= end) {
+                others.insert(global);
+            }
+        }
+        global_.resize(static_cast<std::size_t>(own_));
+        std::iota(global_.begin(), global_.end(), begin);
+        global_.insert(global_.end(), others.begin(), others.end());
+    }
+
+    std::int32_t local(std::int32_t global) const {
+        if (global >= begin_ && global < begin_ + own_) {
+            return global - begin_;
+        }
+        const auto others = global_.begin() + own_;
+        return static_cast<std::int32_t>(std::lower_bound(others, global_.end(), global) - global_.begin());
+    }
+    std::vector<std::int32_t> global() const { return global_; }
+    std::size_t count() const { return global_.size(); }
+
+  private:
+    std::int32_t begin_, own_;
+    std::vector<std::int32_t> global_;
+};
+
+/// (A Q)^T of this part.
+template <int size, int motions>
+Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) {
+    constexpr int fine = lanes(size), stride = lanes(motions);
+    const Before before = lower_triangle(A);
+    RowCollector row(coarse.count(), Q.length);
+    Rows result{Q.length, {0}, {}, {}};
+    // block: A_ij by its columns, or A_ji by its rows
+    const auto add = [&](const float* block, std::int32_t j, bool transposed) {
+        const auto entry = static_cast<std::size_t>(Q.offsets[static_cast<std::size_t>(j)]);
+        if (entry == static_cast<std::size_t>(Q.offsets[static_cast<std::size_t>(j) + 1])) {
+            return;
+        }
+        const float* from = Q.values.data() + entry * Q.length;
+        float* to = row.at(coarse.local(Q.columns[entry]));
+        for (int r = 0; r < size; ++r) {
+            ColumnMap<motions> sum(to + r * stride);
+            for (int s = 0; s < size; ++s) {
+                sum += ConstColumnMap<motions>(from + s * stride) *
+                       (transposed ? block[r * fine + s] : block[s * fine + r]);
+            }
+        }
+    };
+    for (std::size_t i = 0; i + 1 < A.offsets.size(); ++i) {
+        const auto end = static_cast<std::size_t>(A.offsets[i + 1]);
+        for (auto pair = static_cast<std::size_t>(A.offsets[i]); pair < end; ++pair) {
+            add(A.block(pair), A.columns[pair], false);
+        }
+        const auto last = static_cast<std::size_t>(before.offsets[i + 1]);
+        for (auto k = static_cast<std::size_t>(before.offsets[i]); k < last; ++k) {
+            if (before.nodes[k] != static_cast<std::int32_t>(i)) {
+                add(A.block(static_cast<std::size_t>(before.pairs[k])), before.nodes[k], true);
+            }
+        }
+        row.finish(result.offsets, result.columns, result.values);
+    }
+    std::ranges::transform(
+        result.columns, result.columns.begin(),
+        [global = coarse.global()](std::int32_t local) { return global[static_cast<std::size_t>(local)]; });
+    return result;
+}
+
+/// Q - omega D^-1 T, transposed.
+template <int size, int motions>
+Prolongation smoothed(const Rows& Q, const Rows& T, const std::vector<float>& inverse_diagonal, float omega,
+                      const CoarseNodes& coarse) {
+    constexpr int fine = lanes(size), stride = lanes(motions);
+    RowCollector row(coarse.count(), Q.length);
+    Prolongation result{size, motions, {0}, {}, {}};
+    for (std::size_t i = 0; i + 1 < Q.offsets.size(); ++i) {
+        const float* inverse = inverse_diagonal.data() + i * std::size_t{size} * fine;
+        const auto last = static_cast<std::size_t>(T.offsets[i + 1]);
+        for (auto entry = static_cast<std::size_t>(T.offsets[i]); entry < last; ++entry) {
+            float* to = row.at(coarse.local(T.columns[entry]));
+            for (int r = 0; r < size; ++r) {
+                ColumnMap<motions> sum(to + r * stride);
+                for (int s = 0; s < size; ++s) {
+                    sum -= ConstColumnMap<motions>(T.values.data() + entry * T.length + s * stride) *
+                           (omega * inverse[s * fine + r]);
+                }
+            }
+        }
+        const auto entry = static_cast<std::size_t>(Q.offsets[i]);
+        if (entry < static_cast<std::size_t>(Q.offsets[i + 1])) {
+            float* to = row.at(coarse.local(Q.columns[entry]));
+            const float* from = Q.values.data() + entry * Q.length;
+            std::transform(from, from + Q.length, to, to, std::plus<>());
+        }
+        row.finish(result.offsets, result.columns, result.values);
+    }
+    return result;
+}
+
+/// First coarse node of each process, and the count of all.
+std::vector<std::int32_t> first_nodes(std::int32_t count, const parallel::Team& team) {
+    std::vector<double> counts(static_cast<std::size_t>(team.size()), 0.0);
+    counts[static_cast<std::size_t>(team.rank())] = count;
+    team.sum(counts);
+    std::vector<std::int32_t> first{0};
+    for (const double of_one : counts) {
+        first.push_back(first.back() + static_cast<std::int32_t>(of_one));
+    }
+    return first;
+}
+
+template <int size, int motions>
+void add_prolonged(const Prolongation& P, const float* coarse, float* fine) {
+    constexpr std::ptrdiff_t length = std::ptrdiff_t{size} * lanes(motions);
+    const float* block = P.values.data();
+    const std::int32_t* column = P.columns.data();
+    for (std::size_t i = 0; i + 1 < P.offsets.size(); ++i, fine += lanes(size)) {
+        const std::int32_t* end = P.columns.data() + P.offsets[i + 1];
+        for (; column < end; ++column, block += length) {
+            const Column<motions> from = ConstColumnMap<motions>(coarse + *column * lanes(motions));
+            add_transposed_product<motions, size>(block, from, fine);
+        }
+    }
+}
+
+template <int size, int motions>
+void add_restricted(const Prolongation& P, const float* fine, const SharedNodes& nodes, float* coarse) {
+    constexpr std::size_t length = std::size_t{size} * lanes(motions);
+    for (std::size_t i = 0; i + 1 < P.offsets.size(); ++i, fine += lanes(size)) {
+        if (!nodes.owned(i)) {
+            continue;
+        }
+        const auto end = static_cast<std::size_t>(P.offsets[i + 1]);
+        for (auto entry = static_cast<std::size_t>(P.offsets[i]); entry < end; ++entry) {
+            ColumnMap<motions>(coarse + std::ptrdiff_t{P.columns[entry]} * lanes(motions)) +=
+                product<motions, size>(P.values.data() + entry * length, fine);
+        }
+    }
+}
+
+}  // namespace
+
+void Prolongation::add_to(const std::vector<float>& coarse, std::vector<float>& fine) const {
+    with_sizes(fine_size, coarse_size, [&]<int size, int motions>() {
+        add_prolonged<size, motions>(*this, coarse.data(), fine.data());
+    });
+}
+
+void Prolongation::restrict_to(const std::vector<float>& fine, const SharedNodes& nodes,
+                               std::vector<float>& coarse) const {
+    std::ranges::fill(coarse, 0.0F);
+    with_sizes(fine_size, coarse_size, [&]<int size, int motions>() {
+        add_restricted<size, motions>(*this, fine.data(), nodes, coarse.data());
+    });
+}
+
+Coarsening coarsen(const Matrix& A, const std::vector<float>& inverse_diagonal, double largest,
+                   const Aggregates& aggregates, const NearNullSpace& motions, const SharedNodes& nodes) {
+    const parallel::Team& team = nodes.team();
+    parallel::NodeNumbers numbers;
+    numbers.rank = team.rank();
+    numbers.first = first_nodes(aggregates.count, team);
+    Tentative Q = tentative(aggregates, motions, A.size, numbers.begin());
+    nodes.add_up(Q.transposed);
+    const auto omega = static_cast<float>(damping / largest);
+    Prolongation P = with_sizes(A.size, motions.motions, [&]<int size, int n>() {
+        Rows T = times_tentative<size, n>(A, Q.transposed,
+                                          CoarseNodes(numbers.begin(), numbers.end(), Q.transposed));
+        nodes.add_up(T);
+        const CoarseNodes coarse(numbers.begin(), numbers.end(), T);
+        numbers.global = coarse.global();
+        return smoothed<size, n>(Q.transposed, T, inverse_diagonal, omega, coarse);
+    });
+    return {std::move(P), std::move(numbers), std::move(Q.motions)};
+}
+
+}  // namespace thermocontact::multigrid

@@ -1,0 +1,39 @@
+/// From a coarse level to the next finer one: the tentative prolongation Q of aggregates, made smooth by a
+/// step of Jacobi's method,
+///
+///     P = (1 - omega D^-1 A) Q,   omega = 4/3 / largest eigenvalue of D^-1 A.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "multigrid/matrix.h"
+#include "multigrid/tentative.h"
+
+namespace thermocontact::multigrid {
+
+struct Prolongation {
+    int fine_size = 1, coarse_size = 1;
+    std::vector<std::int32_t> offsets;  ///< [fine nodes + 1]
+    std::vector<std::int32_t> columns;  ///< coarse nodes of this process
+    std::vector<float> values;          ///< P^T by blocks: [columns][fine_size][lanes(coarse_size)]
+
+    /// fine += P coarse
+    void add_to(const std::vector<float>& coarse, std::vector<float>& fine) const;
+
+    /// coarse = P^T fine of the fine nodes that this process owns; not added up.
+    void restrict_to(const std::vector<float>& fine, const SharedNodes& nodes,
+                     std::vector<float>& coarse) const;
+};
+
+struct Coarsening {
+    Prolongation prolongation;
+    parallel::NodeNumbers numbers;  ///< of the coarse nodes
+    NearNullSpace motions;          ///< [coarse nodes that this process owns], which are the first
+};
+
+/// `inverse_diagonal` [nodes][size][lanes(size)], `largest` the eigenvalue. Every process must call.
+Coarsening coarsen(const Matrix& A, const std::vector<float>& inverse_diagonal, double largest,
+                   const Aggregates& aggregates, const NearNullSpace& motions, const SharedNodes& nodes);
+
+}  // namespace thermocontact::multigrid

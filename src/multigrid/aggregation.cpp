@@ -7,7 +7,7 @@
 namespace thermocontact::multigrid {
 namespace {
 
-constexpr float weakest = 0.01F;  ///< theta
+constexpr float weakest = 0.02F;  ///< theta
 
 /// Strong neighbours of every node and how strong they are.
 struct Strong {

@@ -13,7 +13,7 @@ namespace thermocontact::multigrid {
 namespace {
 
 constexpr int degree = 2;  ///< of the polynomial
-constexpr double lowest = 0.1,
+constexpr double lowest = 0.15,
                  beyond_largest = 1.1;  ///< its interval, in estimates of the largest eigenvalue
 constexpr int lanczos_steps = 10;
 

@@ -1,5 +1,5 @@
 /// A level of multigrid and its smoother: Chebyshev's polynomial of D^-1 A with D the blocks of A's diagonal,
-/// least on the upper nine tenths of the spectrum (Adams, Brezina, Hu, Tuminaro 2003).
+/// least on the upper part of the spectrum (Adams, Brezina, Hu, Tuminaro 2003).
 #pragma once
 
 #include <optional>

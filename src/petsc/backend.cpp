@@ -3,10 +3,12 @@
 #include <mpi.h>
 #include <petscsys.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "petsc/check.h"
@@ -83,6 +85,24 @@ class MpiTeam final : public parallel::Team {
     int rank_ = 0, size_ = 1;
 };
 
+/// Open MPI prepares a process that mpirun did not start for starting others, and for every network it knows;
+/// it needs neither. 0.1 s instead of 0.35 s. What the user sets stays.
+void start_alone() {
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
+        if (std::getenv(name) != nullptr) {
+            return;
+        }
+    }
+    constexpr std::array<std::pair<const char*, const char*>, 4> choices{
+        {{"OMPI_MCA_ess_singleton_isolated", "1"},
+         {"OMPI_MCA_btl", "self"},
+         {"OMPI_MCA_pml", "ob1"},
+         {"OMPI_MCA_osc", "pt2pt"}}};
+    for (const auto& [name, value] : choices) {
+        setenv(name, value, 0);
+    }
+}
+
 /// The words behind "--", with the program's name before them.
 std::vector<char*> petsc_words(int argc, char** argv) {
     std::vector<char*> words{argv[0]};
@@ -100,6 +120,7 @@ std::vector<char*> petsc_words(int argc, char** argv) {
 class PetscBackend final : public parallel::Backend {
   public:
     PetscBackend(int argc, char** argv) : words_(petsc_words(argc, argv)) {
+        start_alone();
         auto count = static_cast<int>(words_.size()) - 1;
         char** words = words_.data();
         check(PetscInitialize(&count, &words, nullptr, nullptr));

@@ -1,10 +1,28 @@
 #include "petsc/shared_vectors.h"
 
+#include <algorithm>
+
 #include "petsc/check.h"
 
 namespace thermocontact::petsc {
+namespace {
+
+bool in_order(const parallel::NodeNumbers& numbers) {
+    if (static_cast<std::int32_t>(numbers.global.size()) != numbers.total()) {
+        return false;
+    }
+    for (std::size_t node = 0; node < numbers.global.size(); ++node) {
+        if (numbers.global[node] != static_cast<std::int32_t>(node)) {
+            return false;
+        }
+    }
+    return numbers.begin() == 0 && numbers.end() == numbers.total();
+}
+
+}  // namespace
+
 SharedVectors::SharedVectors(const parallel::NodeNumbers& numbers, int components)
-    : numbers_(&numbers), components_(components) {
+    : numbers_(&numbers), components_(components), whole_(in_order(numbers)) {
     begin_ = numbers.begin() * components;
     owned_ = numbers.end() * components - begin_;
     check(VecCreateMPI(PETSC_COMM_WORLD, owned_, PETSC_DETERMINE, shape_.put()));
@@ -34,6 +52,10 @@ PetscInt SharedVectors::owned_index(std::size_t dof) const {
 }
 
 void SharedVectors::add_up(const std::vector<double>& local, Vec shared) {
+    if (whole_) {
+        put(local, shared);
+        return;
+    }
     check(VecPlaceArray(local_, local.data()));
     check(VecZeroEntries(shared));
     check(VecScatterBegin(scatter_, local_, shared, ADD_VALUES, SCATTER_REVERSE));
@@ -44,6 +66,11 @@ void SharedVectors::add_up(const std::vector<double>& local, Vec shared) {
 void SharedVectors::put(const std::vector<double>& local, Vec shared) const {
     double* values = nullptr;
     check(VecGetArray(shared, &values));
+    if (whole_) {
+        std::ranges::copy(local, values);
+        check(VecRestoreArray(shared, &values));
+        return;
+    }
     for (std::size_t dof = 0; dof < local.size(); ++dof) {
         if (const PetscInt index = owned_index(dof); index >= 0) {
             values[index] = local[dof];
@@ -53,6 +80,13 @@ void SharedVectors::put(const std::vector<double>& local, Vec shared) const {
 }
 
 void SharedVectors::take(Vec shared, std::vector<double>& local) {
+    if (whole_) {
+        const double* values = nullptr;
+        check(VecGetArrayRead(shared, &values));
+        std::copy_n(values, local.size(), local.begin());
+        check(VecRestoreArrayRead(shared, &values));
+        return;
+    }
     check(VecPlaceArray(local_, local.data()));
     check(VecScatterBegin(scatter_, shared, local_, INSERT_VALUES, SCATTER_FORWARD));
     check(VecScatterEnd(scatter_, shared, local_, INSERT_VALUES, SCATTER_FORWARD));

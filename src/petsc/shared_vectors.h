@@ -38,6 +38,7 @@ class SharedVectors {
     const parallel::NodeNumbers* numbers_;
     int components_;
     PetscInt owned_, begin_;
+    bool whole_;    ///< the part is all there is, in order
     Vector shape_;  ///< a shared vector to duplicate
     Vector local_;  ///< wraps the arrays given
     Scatter scatter_;

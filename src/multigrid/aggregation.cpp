@@ -1,7 +1,6 @@
 #include "multigrid/aggregation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 namespace thermocontact::multigrid {
@@ -43,21 +42,17 @@ float square(const float* block, std::size_t length) {
     return sum;
 }
 
-Strong strong_couplings(const Matrix& A, const std::vector<float>& diagonal,
-                        const std::vector<char>& active) {
+Strong strong_couplings(const Matrix& A, const std::vector<char>& active) {
     const std::size_t length = A.block_length();
     const auto count = static_cast<std::size_t>(A.node_count());
-    std::vector<float> size(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        size[i] = std::sqrt(square(diagonal.data() + i * length, length));
-    }
+    const float enough = weakest * weakest * static_cast<float>(A.size);  // |1|^2 of a block is its size
     const auto visit = [&](auto&& strong) {
         for (std::size_t i = 0; i < count; ++i) {
             const auto end = static_cast<std::size_t>(A.offsets[i + 1]);
             for (auto pair = static_cast<std::size_t>(A.offsets[i]) + 1; pair < end; ++pair) {
                 const auto j = static_cast<std::size_t>(A.columns[pair]);
-                const float strength = square(A.block(pair), length) / (size[i] * size[j]);
-                if (active[i] != 0 && active[j] != 0 && strength > weakest * weakest) {
+                const float strength = square(A.block(pair), length);
+                if (active[i] != 0 && active[j] != 0 && strength > enough) {
                     strong(i, j, strength);
                 }
             }
@@ -87,9 +82,8 @@ Strong strong_couplings(const Matrix& A, const std::vector<float>& diagonal,
 
 }  // namespace
 
-Aggregates aggregate(const Matrix& A, const std::vector<float>& diagonal, const std::vector<char>& active,
-                     const SharedNodes& nodes) {
-    const Strong strong = strong_couplings(A, diagonal, active);
+Aggregates aggregate(const Matrix& A, const std::vector<char>& active, const SharedNodes& nodes) {
+    const Strong strong = strong_couplings(A, active);
     const std::int32_t count = A.node_count();
     Aggregates result{0, std::vector<std::int32_t>(static_cast<std::size_t>(count), -1)};
     const auto of = [&](std::int32_t i) -> std::int32_t& { return result.of[static_cast<std::size_t>(i)]; };

@@ -18,9 +18,7 @@ struct Aggregates {
     std::vector<std::int32_t> of;  ///< [nodes]: -1 for those that another process owns, or that couple weakly
 };
 
-/// `diagonal` [nodes][size][lanes(size)]: the blocks of A's diagonal, added up. Nodes not in `active` [nodes]
-/// stay outside.
-Aggregates aggregate(const Matrix& A, const std::vector<float>& diagonal, const std::vector<char>& active,
-                     const SharedNodes& nodes);
+/// Nodes not in `active` [nodes] stay outside.
+Aggregates aggregate(const Matrix& A, const std::vector<char>& active, const SharedNodes& nodes);
 
 }  // namespace thermocontact::multigrid

@@ -5,6 +5,7 @@
 #include "multigrid/aggregation.h"
 #include "multigrid/blocks.h"
 #include "multigrid/galerkin.h"
+#include "multigrid/scaling.h"
 
 namespace thermocontact::multigrid {
 namespace {
@@ -29,17 +30,46 @@ std::vector<char> movable(const NearNullSpace& motions, std::size_t nodes) {
     return result;
 }
 
-/// Motions that an aggregate lacks have no stiffness: the owner gives them some, they are never moved.
-void fill_lacking(const NearNullSpace& motions, Matrix& coarse) {
-    const auto n = static_cast<std::size_t>(coarse.size);
-    const auto stride = static_cast<std::size_t>(lanes(coarse.size));
-    for (std::size_t node = 0; node * n * n < motions.values.size(); ++node) {
-        for (std::size_t c = 0; c < n; ++c) {
-            if (motions.values[(node * n + c) * n + c] == 0) {
-                coarse.block(static_cast<std::size_t>(coarse.offsets[node]))[c * stride + c] += 1.0F;
+/// Blocks of the diagonal, added up; 1 for motions that an aggregate lacks, which have no stiffness and never
+/// move.
+std::vector<double> coarse_diagonal(const Matrix& A, const NearNullSpace& motions, const SharedNodes& nodes) {
+    const auto n = static_cast<std::size_t>(A.size), stride = static_cast<std::size_t>(lanes(A.size));
+    std::vector<double> result(nodes.node_count() * n * n);
+    for (std::size_t node = 0; node < nodes.node_count(); ++node) {
+        const float* block = A.block(static_cast<std::size_t>(A.offsets[node]));
+        for (std::size_t r = 0; r < n; ++r) {
+            for (std::size_t c = 0; c < n; ++c) {
+                result[(node * n + r) * n + c] = block[c * stride + r];
             }
+            const bool lacking = nodes.owned(node) && motions.values[(node * n + r) * n + r] == 0;
+            result[(node * n + r) * n + r] += lacking ? 1.0 : 0.0;
         }
     }
+    nodes.add_up(result, n * n);
+    return result;
+}
+
+/// Scales the coarse matrix, the prolongation and the motions.
+void scale(Matrix& A, Prolongation& P, NearNullSpace& motions, const SharedNodes& nodes) {
+    const auto n = static_cast<std::size_t>(A.size), stride = static_cast<std::size_t>(lanes(A.size));
+    const std::vector<double> diagonal = coarse_diagonal(A, motions, nodes);
+    const Scaling scaling(A.size, diagonal);
+    std::vector<double> block(n * n);
+    for (std::size_t i = 0; i < nodes.node_count(); ++i) {
+        const auto last = static_cast<std::size_t>(A.offsets[i + 1]);
+        for (auto pair = static_cast<std::size_t>(A.offsets[i]); pair < last; ++pair) {
+            float* values = A.block(pair);
+            for (std::size_t k = 0; k < n * n; ++k) {
+                block[k] = values[k % n * stride + k / n];
+            }
+            scaling.scale(i, static_cast<std::size_t>(A.columns[pair]), block.data());
+            for (std::size_t k = 0; k < n * n; ++k) {
+                values[k % n * stride + k / n] = static_cast<float>(block[k]);
+            }
+        }
+        scaling.divide_product(i, diagonal.data() + i * n * n, motions.values.data() + i * n * n, A.size);
+    }
+    P.scale(scaling);
 }
 
 /// The motions at all coarse nodes of the process, those of others zero: they aggregate their own.
@@ -55,21 +85,20 @@ Hierarchy::Hierarchy(Matrix fine, SharedNodes nodes, NearNullSpace motions) {
     levels_.push_back(std::make_unique<Level>(std::move(fine), std::move(nodes)));
     while (unknowns(*levels_.back()) > few) {
         Level& level = *levels_.back();
-        const Aggregates aggregates = aggregate(level.matrix(), level.diagonal(),
-                                                movable(motions, level.nodes().node_count()), level.nodes());
-        Coarsening coarse = coarsen(level.matrix(), level.inverse_diagonal(), level.largest(), aggregates,
-                                    motions, level.nodes());
+        const Aggregates aggregates =
+            aggregate(level.matrix(), movable(motions, level.nodes().node_count()), level.nodes());
+        Coarsening coarse = coarsen(level.matrix(), level.largest(), aggregates, motions, level.nodes());
         const std::int32_t total = coarse.numbers.total();
         if (total == 0 || total > least_coarsening * level.nodes().numbers().total()) {
             break;
         }
         const std::size_t count = coarse.numbers.global.size();
+        const SharedNodes shared(std::move(coarse.numbers), level.nodes().team());
         Matrix matrix = galerkin(level.matrix(), coarse.prolongation, count);
-        fill_lacking(coarse.motions, matrix);
-        level.prolongation = std::move(coarse.prolongation);
         motions = at_all_nodes(std::move(coarse.motions), count);
-        SharedNodes shared(std::move(coarse.numbers), level.nodes().team());
-        levels_.push_back(std::make_unique<Level>(std::move(matrix), std::move(shared)));
+        scale(matrix, coarse.prolongation, motions, shared);
+        level.prolongation = std::move(coarse.prolongation);
+        levels_.push_back(std::make_unique<Level>(std::move(matrix), shared));
     }
     factor_coarsest();
 }
@@ -103,6 +132,9 @@ void Hierarchy::factor_coarsest() {
         }
     }
     level.nodes().team().sum(std::span(dense.data(), static_cast<std::size_t>(dense.size())));
+    for (Eigen::Index k = 0; k < n; ++k) {  // 1, but for fixed dofs and lacking motions
+        dense(k, k) += dense(k, k) < 0.5 ? 1.0 : 0.0;
+    }
     coarsest_.compute(dense);
 }
 

@@ -1,12 +1,9 @@
-/// The matrix of a level: symmetric, its upper triangle by blocks. Of several processes each holds a part;
-/// the parts add up.
+/// The matrix of a level: symmetric, its upper triangle by blocks, those on its diagonal the identity
+/// (scaling.h). Of several processes each holds a part; the parts add up.
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
-
-#include "fem/block_matrix.h"
 
 namespace thermocontact::multigrid {
 
@@ -27,16 +24,5 @@ struct Matrix {
     /// y = A x of this part; padded nodal vectors.
     void multiply(const std::vector<float>& x, std::vector<float>& y) const;
 };
-
-/// Pieces of another matrix: dense ones on some dofs each, row-major.
-struct Pieces {
-    std::vector<std::int32_t> sizes, dofs;
-    std::vector<double> values;
-};
-
-/// (A + (D + D^T) / 2) / scale without rows and columns of `fixed` dofs, which hold nothing but 1 / `holders`
-/// of their node on the diagonal: what the processes that hold it add up to 1. D is the sum of the pieces.
-Matrix fine_matrix(const fem::BlockMatrix& A, const Pieces& D, const std::vector<char>& fixed,
-                   const std::vector<float>& holders, double scale);
 
 }  // namespace thermocontact::multigrid

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "multigrid/fine_matrix.h"
 #include "multigrid/hierarchy.h"
+#include "multigrid/rotations.h"
+#include "multigrid/scaling.h"
 #include "parallel/part.h"
 
 namespace thermocontact::multigrid {
@@ -16,23 +20,24 @@ class Preconditioner {
     Preconditioner(const fem::BlockMatrix& A, const std::vector<char>& fixed, const parallel::Part& part,
                    const parallel::Team& team);
 
-    /// A new hierarchy, for A and the symmetric part of `D` = dF/dx. Every process must call.
+    /// A new hierarchy, for A and `D` = dF/dx. Every process must call.
     void renew(const Pieces& D);
 
     /// z = M^-1 r; both [dofs], the same at shared nodes wherever these are held. Every process must call.
     void apply(const std::vector<double>& r, std::vector<double>& z);
 
   private:
-    NearNullSpace motions(const Matrix& fine) const;
+    NearNullSpace motions() const;
 
     const fem::BlockMatrix* A_;
     const std::vector<char>* fixed_;
     const parallel::Part* part_;
     SharedNodes nodes_;
-    std::vector<float> holders_;            ///< [nodes]: processes that hold it
-    std::vector<float> constant_diagonal_;  ///< of A alone, scaled, added up: [nodes][size][lanes(size)]
-    double scale_ = 1;                      ///< of A: its largest entry on the diagonal
+    std::vector<double> constant_diagonal_;  ///< [nodes][size][size], of A alone
+    Rotations rotations_;
+    std::optional<Scaling> scaling_;
     std::unique_ptr<Hierarchy> hierarchy_;
+    std::vector<double> turned_;  ///< of apply()
 };
 
 }  // namespace thermocontact::multigrid

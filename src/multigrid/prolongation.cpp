@@ -113,32 +113,23 @@ Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) 
     return result;
 }
 
-/// Q - omega D^-1 T, transposed.
+/// Q - omega T, transposed.
 template <int size, int motions>
-Prolongation smoothed(const Rows& Q, const Rows& T, const std::vector<float>& inverse_diagonal, float omega,
-                      const CoarseNodes& coarse) {
-    constexpr int fine = lanes(size), stride = lanes(motions);
+Prolongation smoothed(const Rows& Q, const Rows& T, float omega, const CoarseNodes& coarse) {
     RowCollector row(coarse.count(), Q.length);
     Prolongation result{size, motions, {0}, {}, {}};
+    const auto add = [&](const Rows& rows, std::size_t i, float factor) {
+        const auto last = static_cast<std::size_t>(rows.offsets[i + 1]);
+        for (auto entry = static_cast<std::size_t>(rows.offsets[i]); entry < last; ++entry) {
+            float* to = row.at(coarse.local(rows.columns[entry]));
+            const float* from = rows.values.data() + entry * rows.length;
+            std::transform(from, from + rows.length, to, to,
+                           [factor](float value, float sum) { return sum + factor * value; });
+        }
+    };
     for (std::size_t i = 0; i + 1 < Q.offsets.size(); ++i) {
-        const float* inverse = inverse_diagonal.data() + i * std::size_t{size} * fine;
-        const auto last = static_cast<std::size_t>(T.offsets[i + 1]);
-        for (auto entry = static_cast<std::size_t>(T.offsets[i]); entry < last; ++entry) {
-            float* to = row.at(coarse.local(T.columns[entry]));
-            for (int r = 0; r < size; ++r) {
-                ColumnMap<motions> sum(to + r * stride);
-                for (int s = 0; s < size; ++s) {
-                    sum -= ConstColumnMap<motions>(T.values.data() + entry * T.length + s * stride) *
-                           (omega * inverse[s * fine + r]);
-                }
-            }
-        }
-        const auto entry = static_cast<std::size_t>(Q.offsets[i]);
-        if (entry < static_cast<std::size_t>(Q.offsets[i + 1])) {
-            float* to = row.at(coarse.local(Q.columns[entry]));
-            const float* from = Q.values.data() + entry * Q.length;
-            std::transform(from, from + Q.length, to, to, std::plus<>());
-        }
+        add(T, i, -omega);
+        add(Q, i, 1.0F);
         row.finish(result.offsets, result.columns, result.values);
     }
     return result;
@@ -185,7 +176,26 @@ void add_restricted(const Prolongation& P, const float* fine, const SharedNodes&
     }
 }
 
+template <int motions>
+void scale_blocks(Prolongation& P, const Scaling& coarse) {
+    using Square = Eigen::Matrix<double, motions, motions, motions == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+    using Vector = Eigen::Matrix<float, motions, 1>;
+    const auto size = static_cast<std::size_t>(P.fine_size);
+    for (std::size_t entry = 0; entry < P.columns.size(); ++entry) {
+        const auto node = static_cast<std::size_t>(P.columns[entry]);
+        const auto inverse = Eigen::Map<const Square>(coarse.inverse(node)).template cast<float>().eval();
+        for (std::size_t r = 0; r < size; ++r) {
+            Eigen::Map<Vector> column(P.values.data() + (entry * size + r) * lanes(motions));
+            column = (inverse * column).eval();
+        }
+    }
+}
+
 }  // namespace
+
+void Prolongation::scale(const Scaling& coarse) {
+    with_size(coarse_size, [&]<int motions>() { scale_blocks<motions>(*this, coarse); });
+}
 
 void Prolongation::add_to(const std::vector<float>& coarse, std::vector<float>& fine) const {
     with_sizes(fine_size, coarse_size, [&]<int size, int motions>() {
@@ -201,8 +211,8 @@ void Prolongation::restrict_to(const std::vector<float>& fine, const SharedNodes
     });
 }
 
-Coarsening coarsen(const Matrix& A, const std::vector<float>& inverse_diagonal, double largest,
-                   const Aggregates& aggregates, const NearNullSpace& motions, const SharedNodes& nodes) {
+Coarsening coarsen(const Matrix& A, double largest, const Aggregates& aggregates,
+                   const NearNullSpace& motions, const SharedNodes& nodes) {
     const parallel::Team& team = nodes.team();
     parallel::NodeNumbers numbers;
     numbers.rank = team.rank();
@@ -216,7 +226,7 @@ Coarsening coarsen(const Matrix& A, const std::vector<float>& inverse_diagonal, 
         nodes.add_up(T);
         const CoarseNodes coarse(numbers.begin(), numbers.end(), T);
         numbers.global = coarse.global();
-        return smoothed<size, n>(Q.transposed, T, inverse_diagonal, omega, coarse);
+        return smoothed<size, n>(Q.transposed, T, omega, coarse);
     });
     return {std::move(P), std::move(numbers), std::move(Q.motions)};
 }

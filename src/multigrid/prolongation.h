@@ -1,13 +1,14 @@
 /// From a coarse level to the next finer one: the tentative prolongation Q of aggregates, made smooth by a
 /// step of Jacobi's method,
 ///
-///     P = (1 - omega D^-1 A) Q,   omega = 4/3 / largest eigenvalue of D^-1 A.
+///     P = (1 - omega A) Q,   omega = 4/3 / largest eigenvalue of A.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "multigrid/matrix.h"
+#include "multigrid/scaling.h"
 #include "multigrid/tentative.h"
 
 namespace thermocontact::multigrid {
@@ -17,6 +18,9 @@ struct Prolongation {
     std::vector<std::int32_t> offsets;  ///< [fine nodes + 1]
     std::vector<std::int32_t> columns;  ///< coarse nodes of this process
     std::vector<float> values;          ///< P^T by blocks: [columns][fine_size][lanes(coarse_size)]
+
+    /// The coarse unknowns scaled: P L^-T in the place of P.
+    void scale(const Scaling& coarse);
 
     /// fine += P coarse
     void add_to(const std::vector<float>& coarse, std::vector<float>& fine) const;
@@ -32,8 +36,8 @@ struct Coarsening {
     NearNullSpace motions;          ///< [coarse nodes that this process owns], which are the first
 };
 
-/// `inverse_diagonal` [nodes][size][lanes(size)], `largest` the eigenvalue. Every process must call.
-Coarsening coarsen(const Matrix& A, const std::vector<float>& inverse_diagonal, double largest,
-                   const Aggregates& aggregates, const NearNullSpace& motions, const SharedNodes& nodes);
+/// `largest`: the eigenvalue. Every process must call.
+Coarsening coarsen(const Matrix& A, double largest, const Aggregates& aggregates,
+                   const NearNullSpace& motions, const SharedNodes& nodes);
 
 }  // namespace thermocontact::multigrid

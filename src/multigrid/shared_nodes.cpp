@@ -34,8 +34,9 @@ class Reader {
     std::span<const std::byte> rest_;
 };
 
-std::vector<float> values_at(const std::vector<float>& values, const Nodes& nodes, std::size_t stride) {
-    std::vector<float> result;
+template <typename T>
+std::vector<T> values_at(const std::vector<T>& values, const Nodes& nodes, std::size_t stride) {
+    std::vector<T> result;
     result.reserve(nodes.size() * stride);
     for (const std::int32_t node : nodes) {
         const auto first = values.begin() + node * static_cast<std::ptrdiff_t>(stride);
@@ -118,11 +119,12 @@ SharedNodes::SharedNodes(parallel::NodeNumbers numbers, const parallel::Team& te
     }
 }
 
-void SharedNodes::add_up(std::vector<float>& values, std::size_t stride) const {
+template <typename T>
+void SharedNodes::add_up(std::vector<T>& values, std::size_t stride) const {
     if (neighbours_.empty()) {
         return;
     }
-    std::vector<std::vector<float>> sent, received;
+    std::vector<std::vector<T>> sent, received;
     std::vector<Exchange> exchanges;
     const auto swap = [&](Nodes Neighbour::*send, Nodes Neighbour::*receive) {
         sent.clear();
@@ -138,7 +140,7 @@ void SharedNodes::add_up(std::vector<float>& values, std::size_t stride) const {
     };
     const auto put_in = [&](Nodes Neighbour::*where, auto&& put_value) {
         for (std::size_t k = 0; k < neighbours_.size(); ++k) {
-            const float* from = received[k].data();
+            const T* from = received[k].data();
             for (const std::int32_t node : neighbours_[k].*where) {
                 for (std::size_t c = 0; c < stride; ++c) {
                     put_value(values[static_cast<std::size_t>(node) * stride + c], *from++);
@@ -147,10 +149,13 @@ void SharedNodes::add_up(std::vector<float>& values, std::size_t stride) const {
         }
     };
     swap(&Neighbour::theirs, &Neighbour::ours);
-    put_in(&Neighbour::ours, [](float& sum, float value) { sum += value; });
+    put_in(&Neighbour::ours, [](T& sum, T value) { sum += value; });
     swap(&Neighbour::ours, &Neighbour::theirs);
-    put_in(&Neighbour::theirs, [](float& copy, float value) { copy = value; });
+    put_in(&Neighbour::theirs, [](T& copy, T value) { copy = value; });
 }
+
+template void SharedNodes::add_up(std::vector<float>&, std::size_t) const;
+template void SharedNodes::add_up(std::vector<double>&, std::size_t) const;
 
 void SharedNodes::add_up(Rows& rows) const {
     if (team_->size() == 1) {

@@ -33,7 +33,8 @@ class SharedNodes {
 
     /// Adds up what the processes hold at shared nodes, in order of their ranks, the owner first; `values`
     /// [nodes][stride].
-    void add_up(std::vector<float>& values, std::size_t stride) const;
+    template <typename T>  // float, double
+    void add_up(std::vector<T>& values, std::size_t stride) const;
 
     /// The same of rows, one for each node.
     void add_up(Rows& rows) const;

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "multigrid/matrix.h"
+#include "multigrid/fine_matrix.h"
 #include "parallel/part.h"
 #include "petsc/objects.h"
 #include "petsc/shared_vectors.h"

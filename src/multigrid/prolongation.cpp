@@ -63,7 +63,7 @@ class CoarseNodes {
         const auto others = global_.begin() + own_;
         return static_cast<std::int32_t>(std::lower_bound(others, global_.end(), global) - global_.begin());
     }
-    std::vector<std::int32_t> global() const { return global_; }
+    const std::vector<std::int32_t>& global() const { return global_; }
     std::size_t count() const { return global_.size(); }
 
   private:
@@ -109,7 +109,7 @@ Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) 
     }
     std::ranges::transform(
         result.columns, result.columns.begin(),
-        [global = coarse.global()](std::int32_t local) { return global[static_cast<std::size_t>(local)]; });
+        [&global = coarse.global()](std::int32_t local) { return global[static_cast<std::size_t>(local)]; });
     return result;
 }
 
@@ -118,6 +118,9 @@ template <int size, int motions>
 Prolongation smoothed(const Rows& Q, const Rows& T, float omega, const CoarseNodes& coarse) {
     RowCollector row(coarse.count(), Q.length);
     Prolongation result{size, motions, {0}, {}, {}};
+    const auto global = [&](std::int32_t column) {
+        return coarse.global()[static_cast<std::size_t>(column)];
+    };
     const auto add = [&](const Rows& rows, std::size_t i, float factor) {
         const auto last = static_cast<std::size_t>(rows.offsets[i + 1]);
         for (auto entry = static_cast<std::size_t>(rows.offsets[i]); entry < last; ++entry) {
@@ -130,7 +133,8 @@ Prolongation smoothed(const Rows& Q, const Rows& T, float omega, const CoarseNod
     for (std::size_t i = 0; i + 1 < Q.offsets.size(); ++i) {
         add(T, i, -omega);
         add(Q, i, 1.0F);
-        row.finish(result.offsets, result.columns, result.values);
+        // sums over the row then have the same order on every process
+        row.finish(result.offsets, result.columns, result.values, global);
     }
     return result;
 }

@@ -16,7 +16,7 @@ namespace thermocontact::multigrid {
 struct Prolongation {
     int fine_size = 1, coarse_size = 1;
     std::vector<std::int32_t> offsets;  ///< [fine nodes + 1]
-    std::vector<std::int32_t> columns;  ///< coarse nodes of this process
+    std::vector<std::int32_t> columns;  ///< coarse nodes of this process, by their global numbers
     std::vector<float> values;          ///< P^T by blocks: [columns][fine_size][lanes(coarse_size)]
 
     /// The coarse unknowns scaled: P L^-T in the place of P.

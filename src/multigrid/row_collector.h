@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace thermocontact::multigrid {
@@ -23,11 +24,12 @@ class RowCollector {
         return values_.data() + static_cast<std::size_t>(place) * length_;
     }
 
-    /// Appends the row in order of its columns and begins another.
+    /// Appends the row in order of its columns, or of key(column), and begins another.
+    template <typename Key = std::identity>
     void finish(std::vector<std::int32_t>& offsets, std::vector<std::int32_t>& columns,
-                std::vector<float>& values) {
+                std::vector<float>& values, Key key = {}) {
         std::vector<std::int32_t> order = columns_;
-        std::ranges::sort(order);
+        std::ranges::sort(order, {}, key);
         for (const std::int32_t column : order) {
             std::int32_t& place = place_[static_cast<std::size_t>(column)];
             const float* block = values_.data() + static_cast<std::size_t>(place) * length_;

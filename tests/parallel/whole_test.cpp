@@ -20,6 +20,8 @@ class Played final : public Team {
     int size() const override { return size_; }
     void sum(std::span<double>) const override {}
     void max(std::span<double>) const override {}
+    std::vector<Message> deliver(const std::vector<Message>&) const override { return {}; }
+    void exchange(std::span<const Exchange>) const override {}
 
   private:
     int rank_, size_;

@@ -7,12 +7,7 @@ namespace thermocontact::petsc {
 
 Tangent::Tangent(const fem::BlockMatrix& matrix, const std::vector<char>& fixed, SharedVectors& vectors)
     : matrix_(&matrix), vectors_(&vectors), local_x_(fixed.size()), local_y_(fixed.size()) {
-    const auto b = static_cast<std::size_t>(matrix.rows);
-    std::vector<double>& diagonal = local_y_;
     for (std::size_t dof = 0; dof < fixed.size(); ++dof) {
-        const std::size_t node = dof / b, component = dof % b;
-        const auto block = static_cast<std::size_t>(matrix.graph->offsets[node]);
-        diagonal[dof] = matrix.values[(block * b + component) * b + component];
         if (fixed[dof] != 0) {
             fixed_dofs_.push_back(static_cast<std::int32_t>(dof));
             if (const PetscInt index = vectors.owned_index(dof); index >= 0) {
@@ -20,32 +15,67 @@ Tangent::Tangent(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
             }
         }
     }
-    const Vector shared = vectors.make();
-    vectors.add_up(diagonal, shared);
+    const Vector diagonal = vectors.make();
+    put_diagonal(diagonal);
     const double* values = nullptr;
-    check(VecGetArrayRead(shared, &values));
+    check(VecGetArrayRead(diagonal, &values));
     for (const PetscInt index : owned_fixed_) {
         fixed_diagonal_.push_back(values[index]);
     }
-    check(VecRestoreArrayRead(shared, &values));
+    check(VecRestoreArrayRead(diagonal, &values));
     const PetscInt owned = vectors.owned();
     check(
         MatCreateShell(PETSC_COMM_WORLD, owned, owned, PETSC_DETERMINE, PETSC_DETERMINE, this, shell_.put()));
     check(MatSetBlockSize(shell_, matrix.rows));
     check(MatShellSetOperation(shell_, MATOP_MULT, reinterpret_cast<void (*)()>(&Tangent::multiply)));
+    check(MatShellSetOperation(shell_, MATOP_GET_DIAGONAL,
+                               reinterpret_cast<void (*)()>(&Tangent::get_diagonal)));
 }
 
-PetscErrorCode Tangent::multiply(Mat shell, Vec x, Vec y) {
-    Tangent* self = nullptr;
-    if (const PetscErrorCode code = MatShellGetContext(shell, &self); code != 0) {
+namespace {
+
+/// Calls work(tangent) for the one of a shell; no exception leaves through PETSc's frames.
+template <typename Work>
+PetscErrorCode in_tangent(Mat shell, Work&& work) {
+    Tangent* tangent = nullptr;
+    if (const PetscErrorCode code = MatShellGetContext(shell, &tangent); code != 0) {
         return code;
     }
     try {
-        self->apply(x, y);
-    } catch (const SystemError&) {  // not through PETSc's frames
+        work(*tangent);
+    } catch (const SystemError&) {
         return PETSC_ERR_LIB;
     }
     return 0;
+}
+
+}  // namespace
+
+PetscErrorCode Tangent::multiply(Mat shell, Vec x, Vec y) {
+    return in_tangent(shell, [&](Tangent& tangent) { tangent.apply(x, y); });
+}
+
+PetscErrorCode Tangent::get_diagonal(Mat shell, Vec diagonal) {
+    return in_tangent(shell, [&](Tangent& tangent) { tangent.put_diagonal(diagonal); });
+}
+
+void Tangent::put_diagonal(Vec diagonal) {
+    const auto b = static_cast<std::size_t>(matrix_->rows);
+    for (std::size_t dof = 0; dof < local_y_.size(); ++dof) {
+        const std::size_t node = dof / b, component = dof % b;
+        const auto block = static_cast<std::size_t>(matrix_->graph->offsets[node]);
+        local_y_[dof] = matrix_->values[(block * b + component) * b + component];
+    }
+    const std::int32_t* dofs = derivative_.dofs.data();
+    const double* values = derivative_.values.data();
+    for (const std::int32_t n : derivative_.sizes) {
+        for (std::int32_t i = 0; i < n; ++i) {
+            local_y_[static_cast<std::size_t>(dofs[i])] += values[i * n + i];
+        }
+        dofs += n;
+        values += std::ptrdiff_t{n} * n;
+    }
+    vectors_->add_up(local_y_, diagonal);
 }
 
 void Tangent::zero_fixed(Vec shared) const {

@@ -29,7 +29,7 @@ class Tangent {
                         const std::vector<std::int32_t>& dofs);
     void drop_derivative();
 
-    /// The matrix as PETSc's solvers take it: it can only be multiplied.
+    /// The matrix as PETSc's solvers take it: it can be multiplied, and tells its diagonal.
     Mat shell() const { return shell_; }
 
     /// dF/dx: dense pieces on dofs of the part.
@@ -43,7 +43,9 @@ class Tangent {
 
   private:
     static PetscErrorCode multiply(Mat shell, Vec x, Vec y);
+    static PetscErrorCode get_diagonal(Mat shell, Vec diagonal);
     void apply(Vec x, Vec y);
+    void put_diagonal(Vec diagonal);
     void add_derivative(const std::vector<double>& x, std::vector<double>& y) const;
     void zero_fixed(std::vector<double>& values) const;
 

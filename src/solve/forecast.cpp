@@ -10,7 +10,7 @@ namespace thermocontact::solve {
 namespace {
 
 constexpr double bytes_a_second = 1e10;
-constexpr double operations_a_second = 1e10;
+constexpr double operations_a_second = 2.5e10;
 
 // Condensing: a step reads the factor twice; Newton multiplies by S, and factors its derivative, this often.
 constexpr double passes = 2, dense_products = 8, dense_factorisations = 2;
@@ -18,13 +18,12 @@ constexpr double passes = 2, dense_products = 8, dense_factorisations = 2;
 // matrix given to CHOLMOD, L, S, Newton's derivative and its factors.
 constexpr double copies_of_factor = 2, copies_of_dense_block = 5;
 
-// Newton-Krylov: an iteration reads about as much as this many products with the assembled matrix, setting up
-// the hierarchy and assembling what it needs as much as this many.
-constexpr double products_an_iteration = 4, products_of_setup = 200;
-constexpr double iterations_a_step = 50, iterations_of_linear_step = 25;
-constexpr double seconds_an_iteration = 1e-4;  ///< PETSc's calls on all levels, whatever the size
+// Newton-Krylov, in products with an assembled matrix that would be read: an iteration, and the hierarchy's set-up.
+constexpr double products_an_iteration = 1.5, products_of_setup = 50;
+constexpr double iterations_a_step = 35, iterations_of_linear_step = 15;
+constexpr double seconds_an_iteration = 2e-5;  ///< whatever the size
 constexpr double bytes_an_entry = 12;          ///< a value and its column
-constexpr double krylov_bytes_an_unknown = 3000;
+constexpr double krylov_bytes_an_unknown = 2100;
 
 std::vector<std::int32_t> factor_order(const std::vector<char>& contact,
                                        std::span<const std::int32_t> interior) {

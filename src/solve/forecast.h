@@ -2,9 +2,9 @@
 ///
 /// Condensing is foreseen from the symbolic Cholesky factorisation of the nodes' graph in the order in which
 /// it would be factored, Newton-Krylov from the entries of the matrices. Times are bytes read at 1e10 a
-/// second and operations at 1e10 a second, the order of magnitude of one core; the counts of products and
+/// second and operations at 2.5e10 a second, the order of magnitude of one core; the counts of products and
 /// iterations are those of scenes/box.toml and scenes/paper-isotropic.toml (verification/benchmark.py
-/// --ladder measures how far the choice is from the better strategy).
+/// --study ladder measures how far the choice is from the better strategy).
 #pragma once
 
 #include <cstdint>
@@ -48,6 +48,6 @@ Cost newton_krylov_cost(const BalanceSize& balance, int steps);
 /// Whether factor and dense block have indices of 32 bits.
 bool can_condense(const BalanceSize& balance);
 
-inline constexpr double petsc_start = 0.4;  ///< s, to load and start PETSc and MPI
+inline constexpr double petsc_start = 0.1;  ///< s, to load and start PETSc and MPI
 
 }  // namespace thermocontact::solve

@@ -1,6 +1,6 @@
 """All mutations, room by room."""
 
-from . import app, fem, forms, march, mesh, model, output, parallel, scene, solve, theory
+from . import app, fem, forms, march, mesh, model, multigrid, output, parallel, scene, solve, theory
 from .mutation import Mutation
 
 MUTATIONS: tuple[Mutation, ...] = (
@@ -11,6 +11,7 @@ MUTATIONS: tuple[Mutation, ...] = (
     *fem.MUTATIONS,
     *model.MUTATIONS,
     *solve.MUTATIONS,
+    *multigrid.MUTATIONS,
     *march.MUTATIONS,
     *output.MUTATIONS,
     *theory.MUTATIONS,

@@ -83,12 +83,4 @@ MUTATIONS = (
         "sign",
         "contact stiffens the tangent",
     ),
-    Mutation(
-        "shared-transposed",
-        "src/petsc/shared_matrix.cpp",
-        "transposed[c * width + r] = block[r * width + c];",
-        "transposed[r * width + c] = block[r * width + c];",
-        "index",
-        "the lower triangle is the transposed upper one",
-    ),
 )

@@ -18,7 +18,8 @@ constexpr double passes = 2, dense_products = 8, dense_factorisations = 2;
 // matrix given to CHOLMOD, L, S, Newton's derivative and its factors.
 constexpr double copies_of_factor = 2, copies_of_dense_block = 5;
 
-// Newton-Krylov, in products with an assembled matrix that would be read: an iteration, and the hierarchy's set-up.
+// Newton-Krylov, in products with an assembled matrix that would be read: an iteration, and the hierarchy's
+// set-up.
 constexpr double products_an_iteration = 1.5, products_of_setup = 50;
 constexpr double iterations_a_step = 35, iterations_of_linear_step = 15;
 constexpr double seconds_an_iteration = 2e-5;  ///< whatever the size

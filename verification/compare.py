@@ -32,6 +32,7 @@ import numpy.typing as npt
 from scipy.spatial import cKDTree
 
 from oracle_parts import vtu
+from same_steps import first_difference
 
 SAME_PLACE = 1e-9  # relative to the bounding box; also for times, relative to the last one
 PARTS = {0: "body", 1: "contact"}
@@ -303,6 +304,8 @@ def compare(directory_a: Path, directory_b: Path, tolerance: float) -> list[Wors
     summary_a, summary_b = load_summary(directory_a), load_summary(directory_b)
     if summary_a.get("status") != summary_b.get("status"):
         raise Unusable(f"the runs ended differently: {summary_a.get('status')}, {summary_b.get('status')}")
+    if difference := first_difference(directory_a, directory_b):
+        raise Unusable(difference)
     written = [(directory / "fields.pvd").exists() for directory in (directory_a, directory_b)]
     asked = [summary.get("scene", {}).get("output", {}).get("fields") for summary in (summary_a, summary_b)]
     results = []

@@ -69,12 +69,13 @@ class Check:
         run(on(processes or 1, program))
         return results
 
-    def oracle(self, ranks: int) -> pathlib.Path:
+    def oracle(self, ranks: int, followed: pathlib.Path) -> pathlib.Path:
+        """In the steps of the driver's results, where these are adapted."""
         results = self.folder / f"oracle-{ranks}"
-        kept = (pathlib.Path(self.arguments.scene), results, self.arguments.overrides, ranks)
+        kept = (pathlib.Path(self.arguments.scene), results, self.arguments.overrides, ranks, followed)
         if not oracle_results.fetch(*kept):
             program = [sys.executable, str(HERE / "oracle.py"), *self.scene, "--output", str(results)]
-            run(on(ranks, program))
+            run(on(ranks, [*program, "--follow", str(followed)]))
             oracle_results.keep(*kept)
         return results
 
@@ -93,7 +94,7 @@ def main() -> int:
         try:
             alone = check.driver(None)
             several = [check.driver(processes) for processes in arguments.processes]
-            oracles = [check.oracle(ranks) for ranks in arguments.ranks or [1]]
+            oracles = [check.oracle(ranks, alone) for ranks in arguments.ranks or [1]]
         except Failed as failure:
             print(f"cross_check: {failure}", file=sys.stderr)
             return 2

@@ -1,7 +1,10 @@
 """The oracle: the same scene as thermocontact's, solved with dolfinx from a weak form of its own.
 
     mpirun -n P python3 verification/oracle.py SCENE.toml --output DIR [--set KEY=VALUE]... [--quiet]
-        [--solver amg]
+        [--solver amg] [--follow DIR]
+
+Where time.tolerance adapts the steps, `--follow` names the results of the driver, whose steps.csv says which steps it
+has taken: the oracle judges what is solved in them, not how they were chosen (adaptive.py does).
 
 Each step solves, first, the momentum balance for the velocity w_s at its stage (time_steps.py; of backward Euler, its
 end), with u_s = u_b + tau w_s and u_b, w_b, theta_b what the step knows of these before,
@@ -32,6 +35,7 @@ from mpi4py import MPI
 from petsc4py import PETSc
 
 from oracle_parts.balances import HeatBalance, Momentum
+from oracle_parts.course import Parts, equal_steps, followed_steps
 from oracle_parts.errors import NumericsError, SceneError
 from oracle_parts.problem import Problem, apply_voigt, strain
 from oracle_parts.results import CellStress, FieldWriter, History, Stopwatch
@@ -119,7 +123,9 @@ def diagnostics(problem: Problem, momentum: Momentum | None, heat: HeatBalance |
     return values
 
 
-def march(problem: Problem, directory: Path, watch: Stopwatch, history: History, quiet: bool) -> None:
+def march(
+    problem: Problem, parts: Parts, directory: Path, watch: Stopwatch, history: History, quiet: bool
+) -> None:
     scene, comm = problem.scene, problem.mesh.comm
     momentum = Momentum(problem) if scene.material else None
     heat = HeatBalance(problem) if scene.heat else None
@@ -133,11 +139,13 @@ def march(problem: Problem, directory: Path, watch: Stopwatch, history: History,
     with watch.timing("output"):
         writer.write(0, 0.0)
     before: float | None = None
+    time = 0.0
     for step in range(1, scene.steps + 1):
-        time = step * scene.step
         with watch.timing("steps"):
-            now = step_of(scene.radius, time - scene.step, time, scene.step, before)
-            iterations, before = take(problem, now, momentum, heat), scene.step
+            iterations = 0
+            for end, size in parts[step]:
+                iterations += take(problem, step_of(scene.radius, time, end, size, before), momentum, heat)
+                time, before = end, size
             values = diagnostics(problem, momentum, heat)
         history.append(step, time, iterations, values)
         with watch.timing("output"):
@@ -149,8 +157,9 @@ def march(problem: Problem, directory: Path, watch: Stopwatch, history: History,
     watch.seconds["factor"] = sum(equation.solver_seconds for equation in equations)
 
 
-def run(comm: Any, scene: Scene, directory: Path, quiet: bool, solver: str) -> None:
+def run(comm: Any, scene: Scene, directory: Path, quiet: bool, solver: str, follow: Path | None) -> None:
     watch = Stopwatch()
+    parts = followed_steps(scene, follow) if scene.adapts else equal_steps(scene)
     if comm.rank == 0:
         directory.mkdir(parents=True, exist_ok=True)
         for stale in ("fields.pvd", "history.csv", "summary.json"):
@@ -159,7 +168,7 @@ def run(comm: Any, scene: Scene, directory: Path, quiet: bool, solver: str) -> N
     history = History(directory, comm)
     failure: NumericsError | None = None
     try:
-        march(problem, directory, watch, history, quiet)
+        march(problem, parts, directory, watch, history, quiet)
     except NumericsError as caught:
         failure = caught
     history.close()
@@ -176,12 +185,14 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("scene", type=Path)
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="settings")
+    parser.add_argument("--follow", type=Path, metavar="DIR", help="results whose adaptive steps to take")
     parser.add_argument("--quiet", action="store_true")
     parser.add_argument("--solver", choices=("direct", "amg"), default="direct", help="MUMPS, or multigrid")
     options = parser.parse_args(arguments)
     comm = MPI.COMM_WORLD
     try:
-        run(comm, read_scene(options.scene, options.settings), options.output, options.quiet, options.solver)
+        scene = read_scene(options.scene, options.settings)
+        run(comm, scene, options.output, options.quiet, options.solver, options.follow)
     except SceneError as problem:
         return report(comm, problem, 2)
     except NumericsError as problem:

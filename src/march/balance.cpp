@@ -13,9 +13,6 @@
 namespace thermocontact::march {
 namespace {
 
-constexpr std::size_t most_systems =
-    4;  ///< kept prepared: a step, its halves, and those a scheme starts with
-
 std::string failure_text(const std::string& name, const solve::NewtonResult& first,
                          const solve::ContinuationResult* ladder) {
     std::string text = name + " balance: Newton stopped after " + std::to_string(first.iterations) +
@@ -50,7 +47,8 @@ void Balance::use(double tau) {
         std::rotate(systems_.begin(), found, found + 1);
     } else {
         auto system = timed(factor_seconds_, [&] { return prepare(tau); });
-        systems_.resize(std::min(systems_.size(), most_systems - 1));
+        ++factorisations_;
+        systems_.resize(std::min(systems_.size(), most_systems_ - 1));
         systems_.insert(systems_.begin(), std::move(system));
         contact_.restrict_to(problem().contact_dofs());
     }

@@ -45,11 +45,15 @@ class Balance {
     std::vector<KeptSystem> kept_systems() const;
     void take_up(const std::vector<KeptSystem>& kept);
 
+    /// How many systems stay prepared.
+    void keep(std::size_t systems) { most_systems_ = systems; }
+
     const model::Prescribed& prescribed() const { return prescribed_; }
     model::FacetTerm& contact() { return contact_; }
     /// Time spent in solve().
     const StepSeconds& seconds() const { return seconds_; }
     double factor_seconds() const { return factor_seconds_; }
+    int factorisations() const { return factorisations_; }
     std::int64_t factor_entries() const { return problem().factor_entries(); }
     /// Unknowns that the contact term depends on; dofs of this process.
     const std::vector<std::int32_t>& contact_dofs() const { return problem().contact_dofs(); }
@@ -77,6 +81,8 @@ class Balance {
     std::vector<double>* unknown_;
     StepSeconds seconds_;
     double factor_seconds_ = 0;
+    int factorisations_ = 0;                        ///< systems prepared
+    std::size_t most_systems_ = 4;                  ///< a step, its halves, and those a scheme starts with
     std::vector<std::unique_ptr<System>> systems_;  ///< the one in use first, then by their last use
 };
 

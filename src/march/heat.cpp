@@ -84,7 +84,7 @@ void Heat::begin(const StepRule& rule, const State& state) {
         extrapolate(rule.memory(), state.temperature, state.temperature_rate, stage_);
         product(capacity_, stage_, base_stored_);
     }
-    extrapolate(rule.alpha * rule.step, state.temperature, state.temperature_rate, expected_);
+    extrapolate(rule.outlook(), state.temperature, state.temperature_rate, expected_);
     stage_ = expected_;
     new_temperature_ = state.temperature;
     parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_temperature_); });
@@ -102,16 +102,27 @@ SolveReport Heat::solve(const std::vector<double>& displacement) {
 }
 
 /// The prescribed temperatures are those of begin(), to the last bit.
-void Heat::accept(State& state, bool carry_rates) {
+void Heat::complete(const State& state) {
     for (std::size_t i = 0; i < stage_.size(); ++i) {
         if (balance_->prescribed().fixed()[i] == 0) {
             new_temperature_[i] = rule_.completed(state.temperature[i], stage_[i]);
         }
     }
-    timed(audit_seconds_, [&] { audit(); });
-    if (carry_rates) {
-        renew_rate(rule_, state.temperature, new_temperature_, state.temperature_rate);
+}
+
+FieldError Heat::temperature_error(const State& state) const {
+    if (!capacity_) {
+        return {};
     }
+    const auto estimate = error_estimate(rule_, state.curvature_lag, state.temperature, new_temperature_,
+                                         state.temperature_rate, state.temperature_curvature);
+    return {estimate.empty() ? 0.0 : temperature_norm(estimate), temperature_norm(new_temperature_)};
+}
+
+void Heat::accept(State& state, const Scheme& scheme) {
+    timed(audit_seconds_, [&] { audit(); });
+    renew_rates(scheme, rule_, state.temperature, new_temperature_, state.temperature_rate,
+                state.temperature_curvature);
     std::swap(stored_, new_stored_);
     std::swap(state.temperature, new_temperature_);
 }

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "march/balance.h"
+#include "march/step_error.h"
 #include "march/step_rule.h"
 #include "model/loads.h"
 #include "parallel/team.h"
@@ -34,11 +35,17 @@ class Heat {
     /// computed. Throws StepFailure.
     SolveReport solve(const std::vector<double>& displacement);
 
-    /// Moves the state's temperature, and its rate where the scheme has one, to the end of the step.
-    void accept(State& state, bool carry_rates);
+    /// The temperature at the end of the step, from solve().
+    void complete(const State& state);
 
-    /// theta + alpha k q, or theta where the scheme takes no rates: what is known of the stage before it is
-    /// solved.
+    /// Of the completed step: what it adds to the temperature's error, where there is capacity.
+    FieldError temperature_error(const State& state) const;
+
+    /// Moves the state's temperature, and what the scheme knows of its rate, to the end of the completed
+    /// step.
+    void accept(State& state, const Scheme& scheme);
+
+    /// theta + alpha k q, in backward Euler theta: what is known of the stage before it is solved.
     const std::vector<double>& expected_temperature() const { return expected_; }
     /// theta_s, from solve().
     const std::vector<double>& stage_temperature() const { return stage_; }

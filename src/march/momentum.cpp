@@ -120,7 +120,7 @@ void Momentum::begin(const StepRule& rule, const State& state) {
         extrapolate(rule.memory(), state.velocity, state.velocity_rate, base_velocity_);
         apply(base_velocity_, base_displacement_, base_);
     }
-    extrapolate(rule.alpha * rule.step, state.velocity, state.velocity_rate, stage_velocity_);
+    extrapolate(rule.outlook(), state.velocity, state.velocity_rate, stage_velocity_);
     new_displacement_ = state.displacement;
     parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_displacement_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
@@ -144,16 +144,14 @@ SolveReport Momentum::solve(const std::vector<double>& temperature) {
     return report;
 }
 
-void Momentum::accept(State& state, bool carry_rates) {
+void Momentum::accept(State& state, const Scheme& scheme) {
     timed(audit_seconds_, [&] {
-        complete(state);
         apply(new_velocity_, new_displacement_, now_);
         audit(state);
     });
-    if (carry_rates) {
-        renew_rate(rule_, state.displacement, new_displacement_, state.displacement_rate);
-        renew_rate(rule_, state.velocity, new_velocity_, state.velocity_rate);
-    }
+    renew_rates(scheme, rule_, state.displacement, new_displacement_, state.displacement_rate,
+                state.displacement_curvature);
+    renew_rates(scheme, rule_, state.velocity, new_velocity_, state.velocity_rate, state.velocity_curvature);
     std::swap(old_, now_);
     std::swap(state.displacement, new_displacement_);
     std::swap(state.velocity, new_velocity_);
@@ -168,6 +166,44 @@ void Momentum::complete(const State& state) {
         }
         new_velocity_[i] = rule_.completed(state.velocity[i], stage_velocity_[i]);
     }
+}
+
+bool Momentum::rates_matter() const {
+    return mass_ || damping_ || balance_->contact().smallest_regularisation() > 0;
+}
+
+FieldError Momentum::displacement_error(const State& state) const {
+    if (!rates_matter()) {
+        return {};
+    }
+    const auto estimate = error_estimate(rule_, state.curvature_lag, state.displacement, new_displacement_,
+                                         state.displacement_rate, state.displacement_curvature);
+    return {estimate.empty() ? 0.0 : velocity_norm(estimate), velocity_norm(new_displacement_)};
+}
+
+FieldError Momentum::deformation_error(const State& state) const {
+    if (!rates_matter() || !stiffness_) {
+        return {};
+    }
+    const auto estimate = error_estimate(rule_, state.curvature_lag, state.displacement, new_displacement_,
+                                         state.displacement_rate, state.displacement_curvature);
+    const double kinetic = mass_ ? norm(*mass_, new_velocity_) : 0.0;
+    return {estimate.empty() ? 0.0 : elastic_norm(estimate),
+            std::hypot(elastic_norm(new_displacement_), kinetic)};
+}
+
+double Momentum::elastic_norm(std::vector<double> u) const {
+    centre(u, dimension_);
+    return norm(*stiffness_, u);
+}
+
+FieldError Momentum::velocity_error(const State& state) const {
+    if (!mass_) {
+        return {};
+    }
+    const auto estimate = error_estimate(rule_, state.curvature_lag, state.velocity, new_velocity_,
+                                         state.velocity_rate, state.velocity_curvature);
+    return {estimate.empty() ? 0.0 : velocity_norm(estimate), velocity_norm(new_velocity_)};
 }
 
 MomentumForces Momentum::collect_forces() {

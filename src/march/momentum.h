@@ -12,6 +12,7 @@
 
 #include "march/balance.h"
 #include "march/momentum_audit.h"
+#include "march/step_error.h"
 #include "march/step_rule.h"
 #include "model/loads.h"
 #include "parallel/team.h"
@@ -33,9 +34,18 @@ class Momentum {
     /// Solves with the temperature in the thermal stress. Throws StepFailure.
     SolveReport solve(const std::vector<double>& temperature);
 
-    /// Moves the state's displacement and velocity, and their rates where the scheme has them, to the end of
-    /// the step, and adds the step to the audit.
-    void accept(State& state, bool carry_rates);
+    /// Displacement and velocity at the end of the step, from solve().
+    void complete(const State& state);
+
+    /// Of the completed step: what it adds to the errors of the fields, and their sizes (step_control.h).
+    /// None where no rate enters a balance: u without inertia, viscosity and friction, w without inertia.
+    FieldError displacement_error(const State& state) const;
+    FieldError deformation_error(const State& state) const;
+    FieldError velocity_error(const State& state) const;
+
+    /// Moves the state's displacement and velocity, and what the scheme knows of their rates, to the end of
+    /// the completed step, and adds the step to the audit.
+    void accept(State& state, const Scheme& scheme);
 
     /// The displacement at the stage, from solve(); its address stays.
     const std::vector<double>& stage_displacement() const { return stage_displacement_; }
@@ -72,10 +82,12 @@ class Momentum {
 
     /// Products of w_hat and u_hat.
     const Products& base() const { return rule_.memory() == 0 ? old_ : base_; }
-    void complete(const State& state);
     MomentumForces collect_forces();
     Energies energies(const State& old) const;
     void audit(const State& old);
+    bool rates_matter() const;
+    /// (E eps(u), eps(u))^(1/2).
+    double elastic_norm(std::vector<double> u) const;
     double norm(const fem::BlockMatrix& gram, const std::vector<double>& v) const;
 
     const parallel::Team* team_;

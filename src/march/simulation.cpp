@@ -16,6 +16,7 @@ namespace thermocontact::march {
 namespace {
 
 constexpr int most_coupling_iterations = 50;
+constexpr std::size_t adaptive_systems = 12;  ///< kept of each balance: a rung each, and changes between two
 
 parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend) {
     const parallel::Team& team = parallel::team_of(backend);
@@ -56,9 +57,17 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
     }
 }
 
-/// The systems of uniform steps, that of the first one last: what is singular is so before the first step.
+/// The systems of equal steps, that of the first one last: what is singular is so before the first step.
 void Simulation::prepare() {
-    const double k = scene_->time.end / scene_->time.steps;
+    if (control_) {
+        if (momentum_) {
+            momentum_->balance().keep(adaptive_systems);
+        }
+        if (heat_) {
+            heat_->balance().keep(adaptive_systems);
+        }
+    }
+    const double k = rule(Subdivision(state_.halvings)).step;
     for (const double last_step : {k, 0.0}) {
         const double tau = scheme_.rule(0.0, k, k, last_step).tau;
         if (momentum_) {
@@ -71,6 +80,9 @@ void Simulation::prepare() {
 }
 
 void Simulation::initialise() {
+    if (scene_->time.tolerance) {
+        control_ = {*scene_->time.tolerance};
+    }
     const int d = scene_->dimension;
     if (scene_->material) {
         state_.displacement = model::interpolate(part_.space, scene_->initial.displacement, d, 0.0);
@@ -89,22 +101,24 @@ void Simulation::initialise() {
 
 void Simulation::advance() {
     // kept where a part may succeed before one fails, or where what follows its acceptance may: steps with
-    // rates end beyond their stage, and the expressions there are evaluated last (take())
+    // rates end beyond their stage, and the expressions there are evaluated last (accept())
     std::optional<State> before;
     if (scheme_.carries_rates()) {
         before = state_;
     }
-    Subdivision parts;
+    Subdivision parts(state_.halvings);
     StepCounts counts;
     while (!parts.done()) {
+        const StepRule rule = this->rule(parts);
         try {
-            take(rule(parts), counts);
-            parts.accept();
+            solve(rule, counts);
+            settle(rule, parts, counts);
         } catch (const StepFailure& failure) {
             if (!before) {
                 before = state_;
             }
-            if (!parts.halve()) {
+            note_failure(rule, counts);
+            if (!parts.fail()) {
                 give_up(*before, parts, failure.what());
             }
         } catch (const NumericsError& error) {
@@ -112,6 +126,7 @@ void Simulation::advance() {
         }
     }
     ++state_.step;
+    state_.halvings = control_ ? parts.halvings() : 0;
     counts.failed_attempts = parts.failures();
     counts.smallest_step = parts.smallest() * scene_->time.end / scene_->time.steps;
     count_step(counts);
@@ -123,7 +138,8 @@ StepRule Simulation::rule(const Subdivision& parts) const {
                         time.end / time.steps * parts.length(), state_.last_step);
 }
 
-void Simulation::take(const StepRule& rule, StepCounts& counts) {
+/// The state does not change.
+void Simulation::solve(const StepRule& rule, StepCounts& counts) {
     parallel::together(team(), [&] { model::update(surfaces_, part_.space, rule.stage_time()); });
     if (momentum_) {
         momentum_->begin(rule, state_);
@@ -131,15 +147,25 @@ void Simulation::take(const StepRule& rule, StepCounts& counts) {
     if (heat_) {
         heat_->begin(rule, state_);
     }
-    solve(counts);
+    solve_balances(counts);
     if (momentum_) {
-        momentum_->accept(state_, scheme_.carries_rates());
+        momentum_->complete(state_);
     }
     if (heat_) {
-        heat_->accept(state_, scheme_.carries_rates());
+        heat_->complete(state_);
+    }
+}
+
+void Simulation::accept(const StepRule& rule, StepCounts& counts) {
+    if (momentum_) {
+        momentum_->accept(state_, scheme_);
+    }
+    if (heat_) {
+        heat_->accept(state_, scheme_);
     }
     state_.time = rule.end;
     state_.last_step = scheme_.carries_rates() ? rule.step : 0;
+    state_.curvature_lag = curvature_lag(scheme_, rule);
     if (rule.stage_time() != rule.end) {
         parallel::together(team(), [&] { model::update(surfaces_, part_.space, rule.end); });
     }
@@ -148,7 +174,7 @@ void Simulation::take(const StepRule& rule, StepCounts& counts) {
 
 /// Momentum takes the temperature that is known before the step, heat the displacement: of the last state in
 /// the paper's scheme; in those of second order the expected temperature and the displacement just computed.
-void Simulation::solve(StepCounts& counts) {
+void Simulation::solve_balances(StepCounts& counts) {
     if (momentum_ && heat_ && scene_->time.coupling_tolerance) {
         solve_coupled(counts);
         return;
@@ -157,7 +183,7 @@ void Simulation::solve(StepCounts& counts) {
         counts.momentum.add(momentum_->solve(heat_ ? heat_->expected_temperature() : no_heat_));
     }
     if (heat_) {
-        const bool just_computed = momentum_ && scheme_.carries_rates();
+        const bool just_computed = momentum_ && scheme_.second_order();
         counts.heat.add(heat_->solve(just_computed ? momentum_->stage_displacement() : state_.displacement));
     }
 }
@@ -277,83 +303,14 @@ void Simulation::count_step(const StepCounts& counts) {
     totals_.max_iterations_in_a_step = std::max(totals_.max_iterations_in_a_step, iterations);
     totals_.retries += counts.momentum.retries + counts.heat.retries;
     totals_.failed_attempts += counts.failed_attempts;
-    if (counts.parts > 1) {
+    count_attempts(counts);
+    if (control_ ? counts.failed_attempts > 0 : counts.parts > 1) {
         ++totals_.divided_steps;
         totals_.parts += counts.parts;
     }
     totals_.smallest_step = totals_.smallest_step == 0
                                 ? counts.smallest_step
                                 : std::min(totals_.smallest_step, counts.smallest_step);
-}
-
-double Simulation::factor_seconds() const {
-    return (momentum_ ? momentum_->balance().factor_seconds() : 0) +
-           (heat_ ? heat_->balance().factor_seconds() : 0);
-}
-
-StepSeconds Simulation::step_seconds() const {
-    StepSeconds seconds;
-    if (momentum_) {
-        seconds.add(momentum_->seconds());
-    }
-    if (heat_) {
-        seconds.add(heat_->seconds());
-    }
-    return seconds;
-}
-
-std::int64_t Simulation::factor_entries() const {
-    return (momentum_ ? momentum_->balance().factor_entries() : 0) +
-           (heat_ ? heat_->balance().factor_entries() : 0);
-}
-
-std::int64_t Simulation::contact_unknowns() const {
-    const auto owned = [&](const std::vector<std::int32_t>& dofs, int components) {
-        return static_cast<double>(std::ranges::count_if(dofs, [&](std::int32_t dof) {
-            return part_.numbers.owns(static_cast<std::size_t>(dof / components));
-        }));
-    };
-    const double here = (momentum_ ? owned(momentum_->balance().contact_dofs(), scene_->dimension) : 0) +
-                        (heat_ ? owned(heat_->balance().contact_dofs(), 1) : 0);
-    return std::llround(team().sum(here));
-}
-
-std::map<std::string, model::ContactMeasures> Simulation::contact_measures() {
-    std::map<std::string, model::ContactMeasures> result;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        result[surfaces_[i]->name] = probes_[i]->measure(team());
-    }
-    return result;
-}
-
-Record Simulation::norms() const {
-    return {{"velocity_l2", momentum_ ? momentum_->velocity_norm(state_.velocity) : 0.0},
-            {"displacement_strain_l2", momentum_ ? momentum_->strain_norm(state_.displacement) : 0.0},
-            {"temperature_l2", heat_ ? heat_->temperature_norm(state_.temperature) : 0.0}};
-}
-
-Record Simulation::record() {
-    Record row{{"step", state_.step},
-               {"time", state_.time},
-               {"newton_iterations", last_.momentum.iterations},
-               {"heat_iterations", last_.heat.iterations},
-               {"retries", last_.momentum.retries + last_.heat.retries},
-               {"failed_attempts", last_.failed_attempts},
-               {"substeps", last_.parts}};
-    row.insert(row.end(), balances_.begin(), balances_.end());
-    if (!surfaces_.empty()) {
-        double area = 0, closed = 0, slipping = 0, deepest = 0;
-        for (const auto& [name, measures] : contact_measures()) {
-            area += measures.area;
-            closed += measures.contact_fraction * measures.area;
-            slipping += measures.slip_fraction * measures.area;
-            deepest = std::max(deepest, measures.max_penetration);
-        }
-        row.emplace_back("contact_fraction", closed / area);
-        row.emplace_back("slip_fraction", slipping / area);
-        row.emplace_back("max_penetration", deepest);
-    }
-    return row;
 }
 
 }  // namespace thermocontact::march

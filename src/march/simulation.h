@@ -3,16 +3,22 @@
 /// Recovery: a step that Newton's method with its line search does not solve is solved by continuation in the
 /// regularisation (Balance); where that fails too, it is taken in smaller steps (Subdivision); where even the
 /// smallest fails, the state before the step is restored and the run ends with what was tried.
+///
+/// Adaptive steps (step_control.h) are the same parts of the scene's steps. A part that errs too much is
+/// found so before it is accepted: the state has not changed, and there is nothing to restore.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "march/attempt.h"
 #include "march/heat.h"
 #include "march/momentum.h"
 #include "march/snapshot.h"
+#include "march/step_control.h"
 #include "march/step_rule.h"
 #include "march/strategy_choice.h"
 #include "march/subdivision.h"
@@ -59,8 +65,13 @@ class Simulation {
     model::ContactProbe& probe(std::size_t surface) { return *probes_[surface]; }
     const Totals& totals() const { return totals_; }
 
+    /// Of the last step, in their order; none where steps are not adapted.
+    const std::vector<Attempt>& attempts() const { return last_.attempts; }
+
     /// Seconds spent in factorisation so far.
     double factor_seconds() const;
+    /// How many that were, of both balances.
+    int factorisations() const;
 
     /// Where the time of the steps went.
     StepSeconds step_seconds() const;
@@ -92,13 +103,27 @@ class Simulation {
         SolveReport momentum, heat;
         int parts = 0, failed_attempts = 0;
         double smallest_step = 0;  ///< s
+        std::vector<Attempt> attempts;
     };
+    struct OfField {
+        const char* name;
+        FieldError error;
+        double State::*scale;
+    };
+    using FieldErrors = std::array<OfField, 4>;
 
     void initialise();
     void prepare();
     StepRule rule(const Subdivision& parts) const;
-    void take(const StepRule& rule, StepCounts& counts);
-    void solve(StepCounts& counts);
+    void solve(const StepRule& rule, StepCounts& counts);
+    void settle(const StepRule& rule, Subdivision& parts, StepCounts& counts);
+    void accept(const StepRule& rule, StepCounts& counts);
+    void enlarge_scales(const FieldErrors& errors);
+    void note_failure(const StepRule& rule, StepCounts& counts);
+    FieldErrors field_errors() const;
+    Attempt measure(const StepRule& rule, const FieldErrors& errors) const;
+    void count_attempts(const StepCounts& counts);
+    void solve_balances(StepCounts& counts);
     void solve_coupled(StepCounts& counts);
     void take_up(State state);
     void give_up(const State& before, const Subdivision& parts, const std::string& reason);
@@ -110,6 +135,7 @@ class Simulation {
     model::ContactSurfaces surfaces_;
     StrategyChoice choice_;
     Scheme scheme_;
+    std::optional<StepControl> control_;  ///< where steps are adapted
     State state_;
     std::vector<double> no_motion_;  ///< displacement and velocity of a scene without mechanics
     std::vector<double> no_heat_;    ///< temperature of a scene without heat: none

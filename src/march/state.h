@@ -23,6 +23,14 @@ struct State {
     /// takes none, and before the first step.
     double last_step = 0;  ///< size of the step that left them, s; 0: there are none
     Nodal displacement_rate, velocity_rate, temperature_rate;
+
+    /// What the control of adaptive steps goes on with (step_error.h, step_control.h); unused without.
+    int halvings = 0;          ///< of the scene's step, to the size that is tried next
+    int since_change = 0;      ///< steps accepted at this size
+    double curvature_lag = 0;  ///< how long before `time` the curvatures hold, s; 0: there are none
+    Nodal displacement_curvature, velocity_curvature, temperature_curvature;
+    /// Largest sizes so far, which errors are relative to.
+    double displacement_scale = 0, deformation_scale = 0, velocity_scale = 0, temperature_scale = 0;
 };
 
 /// Calls visit(name, member) for all that a state holds, numbers and nodal fields: what a checkpoint stores
@@ -31,7 +39,9 @@ template <typename AnyState, typename Visit>
 requires std::same_as<std::remove_const_t<AnyState>, State>
 void visit_members(AnyState& state, Visit&& visit) {
     auto& [step, time, displacement, velocity, temperature, last_step, displacement_rate, velocity_rate,
-           temperature_rate] = state;
+           temperature_rate, halvings, since_change, curvature_lag, displacement_curvature,
+           velocity_curvature, temperature_curvature, displacement_scale, deformation_scale, velocity_scale,
+           temperature_scale] = state;
     visit("step", step);
     visit("time", time);
     visit("displacement", displacement);
@@ -41,6 +51,16 @@ void visit_members(AnyState& state, Visit&& visit) {
     visit("displacement_rate", displacement_rate);
     visit("velocity_rate", velocity_rate);
     visit("temperature_rate", temperature_rate);
+    visit("halvings", halvings);
+    visit("since_change", since_change);
+    visit("curvature_lag", curvature_lag);
+    visit("displacement_curvature", displacement_curvature);
+    visit("velocity_curvature", velocity_curvature);
+    visit("temperature_curvature", temperature_curvature);
+    visit("displacement_scale", displacement_scale);
+    visit("deformation_scale", deformation_scale);
+    visit("velocity_scale", velocity_scale);
+    visit("temperature_scale", temperature_scale);
 }
 
 /// Totals over the steps so far.
@@ -52,6 +72,10 @@ struct Totals {
     int parts = 0;             ///< those parts
     int failed_attempts = 0;   ///< steps and parts that failed before
     double smallest_step = 0;  ///< accepted or failed, s; 0: none yet
+    int accepted = 0;          ///< adaptive steps taken
+    int rejected = 0;          ///< adaptive steps that erred too much
+    int beyond_tolerance = 0;  ///< taken though they did: there are no shorter ones
+    double error_sum = 0;      ///< of the estimates of those taken, relative
     double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
 };
 
@@ -59,7 +83,8 @@ struct Totals {
 template <typename AnyTotals, typename Visit>
 requires std::same_as<std::remove_const_t<AnyTotals>, Totals>
 void visit_members(AnyTotals& totals, Visit&& visit) {
-    auto& [iterations, most, retries, divided, parts, failed, smallest, energy, heat, force] = totals;
+    auto& [iterations, most, retries, divided, parts, failed, smallest, accepted, rejected, beyond, error_sum,
+           energy, heat, force] = totals;
     visit("iterations", iterations);
     visit("max_iterations_in_a_step", most);
     visit("retries", retries);
@@ -67,6 +92,10 @@ void visit_members(AnyTotals& totals, Visit&& visit) {
     visit("parts", parts);
     visit("failed_attempts", failed);
     visit("smallest_step", smallest);
+    visit("accepted", accepted);
+    visit("rejected", rejected);
+    visit("beyond_tolerance", beyond);
+    visit("error_sum", error_sum);
     visit("energy_residual", energy);
     visit("heat_residual", heat);
     visit("force_residual", force);

@@ -4,20 +4,24 @@ namespace thermocontact::march {
 
 Scheme::Scheme(const scene::TimeSpec& time)
     : alpha_(time.spectral_radius ? 1 / (1 + *time.spectral_radius) : 1.0),
-      second_order_(time.spectral_radius.has_value()) {}
+      second_order_(time.spectral_radius.has_value()),
+      estimates_(time.tolerance.has_value()) {}
 
 StepRule Scheme::rule(double begin, double end, double step, double last_step) const {
+    const double late = alpha_ - 0.5, lag = last_step == 0 ? -1.0 : late * last_step;
     if (!second_order_ || last_step == 0) {
-        return {begin, end, step, 1.0, step, 1.0};
+        return {begin, end, step, 1.0, step, lag, 1.0, 1};
     }
-    const double late = alpha_ - 0.5, lag = late * last_step;
     const double tau = alpha_ * step * ((step / 2 + lag) / (alpha_ * step + lag));
-    return {begin, end, step, alpha_, tau, (step - late * step + lag) / (step / 2 + lag)};
+    return {begin, end, step, alpha_, tau, lag, (step - late * step + lag) / (step / 2 + lag), 2};
 }
 
 void extrapolate(double seconds, const std::vector<double>& y, const std::vector<double>& q,
                  std::vector<double>& result) {
     result = y;
+    if (seconds == 0) {
+        return;
+    }
     for (std::size_t i = 0; i < q.size(); ++i) {
         result[i] += seconds * q[i];
     }

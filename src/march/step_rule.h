@@ -6,10 +6,11 @@
 ///   y_s = y + alpha (y_new - y),      y_s = y_hat + tau r_s,      y_hat = y + (alpha k - tau) q.
 ///
 /// To a balance this is backward Euler from y_hat over tau, whatever the scheme. Rates are taken linear in
-/// time: q, which the step begins with, holds at t - lag, the mean rate (y_new - y)/k at t + k/2, and r_s at
-/// t_s. Hence tau = alpha k (k/2 + lag)/(alpha k + lag), and the next q, at t + k - (alpha - 1/2) k, follows.
+/// time: q, which the step begins with, holds at t - lag, the mean rate d = (y_new - y)/k at t + k/2, and r_s
+/// at t_s. Hence tau = alpha k (k/2 + lag)/(alpha k + lag), and the next q, at t + k - (alpha - 1/2) k,
+/// follows.
 ///
-///   backward-euler      alpha = 1, tau = k, no q                                                  order 1
+///   backward-euler      alpha = 1, tau = k; q has no weight                                       order 1
 ///   generalized-alpha   alpha = 1/(1 + rho), lag = (alpha - 1/2) k of the last step (Jansen, Whiting and
 ///                       Hulbert 2000; rho is the spectral radius at infinite frequency)           order 2
 ///   midpoint            the same with rho = 1: tau = k/2, and q has no weight
@@ -30,10 +31,15 @@ struct StepRule {
     double step;        ///< k, s
     double alpha;
     double tau;       ///< s
-    double steering;  ///< of (mean rate - q) in what the step adds to q
+    double lag;       ///< s; negative: there is no q
+    double steering;  ///< of d - q in what the step adds to q
+    int order;
 
     double stage_time() const { return alpha == 1 ? end : begin + alpha * step; }
     double memory() const { return alpha * step - tau; }  ///< weight of q in y_hat, s
+    bool has_rate() const { return lag >= 0; }            ///< q
+    /// Weight of q in what is expected of the stage before it is solved, s: nothing new in backward Euler.
+    double outlook() const { return order == 1 ? 0.0 : alpha * step; }
 
     /// The value at the end of the step from those at its begin and at the stage.
     double completed(double y, double stage) const { return y + (stage - y) / alpha; }
@@ -43,8 +49,11 @@ class Scheme {
   public:
     explicit Scheme(const scene::TimeSpec& time);
 
-    /// Whether steps begin with rates.
-    bool carries_rates() const { return second_order_; }
+    bool second_order() const { return second_order_; }
+    /// Whether steps begin with rates: they enter the formula, or the estimate of the error.
+    bool carries_rates() const { return second_order_ || estimates_; }
+    /// Whether they begin with the curvature, too (step_error.h).
+    bool carries_curvature() const { return second_order_ && estimates_; }
 
     /// The step of size `step` (s) from `begin` to `end`; `last_step`: size of the step before, 0 where there
     /// are no rates.
@@ -52,7 +61,7 @@ class Scheme {
 
   private:
     double alpha_;
-    bool second_order_;
+    bool second_order_, estimates_;
 };
 
 /// y + seconds * q, or y itself where there is no q.

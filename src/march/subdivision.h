@@ -1,5 +1,5 @@
-/// A step that is taken in parts where it fails as a whole: parts of 1/2, 1/4, ... of it, each begun at a
-/// multiple of its own length, so that few lengths occur and their factors are of use again.
+/// A step that is taken in parts where it fails as a whole, or errs too much: parts of 1/2, 1/4, ... of it,
+/// each begun at a multiple of its own length, so that few lengths occur and their factors are of use again.
 #pragma once
 
 #include <algorithm>
@@ -11,30 +11,35 @@ class Subdivision {
     static constexpr int most_halvings = 8;
     static constexpr int most_failures = 32;  ///< in one step, whatever succeeds between
 
+    /// Begins with parts of the step halved that often.
+    explicit Subdivision(int halvings = 0)
+        : halvings_(std::clamp(halvings, 0, most_halvings)), smallest_(length()) {}
+
     bool done() const { return position_ == whole; }
 
     /// Length of the part to try, and where it ends, as shares of the step; exact in binary.
-    double length() const { return share(whole >> halvings_); }
-    double end() const { return share(position_ + (whole >> halvings_)); }
+    double length() const { return share(units()); }
+    double end() const { return share(position_ + units()); }
 
-    /// The part succeeded: the next one begins, twice as long where that fits.
-    void accept() {
-        position_ += whole >> halvings_;
-        if (halvings_ > 0 && position_ % (whole >> (halvings_ - 1)) == 0) {
+    /// The part succeeded: the next one begins, twice as long so many times as it fits.
+    void accept(int doublings = 1) {
+        position_ += units();
+        for (; doublings > 0 && halvings_ > 0 && position_ % (2 * units()) == 0; --doublings) {
             --halvings_;
         }
     }
 
     /// The part failed: half of it is next. False where enough was tried.
-    bool halve() {
+    bool fail() {
         ++failures_;
-        if (halvings_ == most_halvings || failures_ == most_failures) {
-            return false;
-        }
-        ++halvings_;
-        smallest_ = std::min(smallest_, length());
-        return true;
+        return failures_ < most_failures && shorten(1);
     }
+
+    /// The part errs too much: next is one halved so many times, or the shortest. False where it is that.
+    bool reject(int halvings) { return shorten(halvings); }
+
+    /// Of the length to try.
+    int halvings() const { return halvings_; }
 
     int failures() const { return failures_; }
     /// Length of the shortest part tried, as a share of the step.
@@ -42,12 +47,23 @@ class Subdivision {
 
   private:
     static constexpr int whole = 1 << most_halvings;
-    static double share(int parts) { return static_cast<double>(parts) / whole; }
+    static double share(int units) { return static_cast<double>(units) / whole; }
+
+    int units() const { return whole >> halvings_; }
+
+    bool shorten(int halvings) {
+        if (halvings_ == most_halvings) {
+            return false;
+        }
+        halvings_ = std::min(halvings_ + halvings, most_halvings);
+        smallest_ = std::min(smallest_, length());
+        return true;
+    }
 
     int position_ = 0;
-    int halvings_ = 0;
+    int halvings_;
     int failures_ = 0;
-    double smallest_ = 1;
+    double smallest_;
 };
 
 }  // namespace thermocontact::march

@@ -67,15 +67,16 @@ void remove_fields(const fs::path& folder, Goes goes) {
 
 void clear_results(const fs::path& folder) {
     std::error_code ignored;
-    for (const std::string file : {Checkpoints::file_name, "summary.json", "history.csv", "fields.pvd"}) {
+    for (const std::string file :
+         {Checkpoints::file_name, "summary.json", "history.csv", "steps.csv", "fields.pvd"}) {
         fs::remove(folder / file, ignored);
         fs::remove(folder / (file + ".part"), ignored);
     }
     remove_fields(folder, [](const std::string&) { return true; });
 }
 
-bool keep_history(const fs::path& folder, int step) {
-    std::istringstream lines(content_of(folder / "history.csv"));
+bool keep_rows(const fs::path& file, int step) {
+    std::istringstream lines(content_of(file));
     std::string kept, line;
     std::ptrdiff_t commas = -1;                          // of the header
     while (std::getline(lines, line) && !lines.eof()) {  // at the end of the file: without end of line
@@ -90,7 +91,7 @@ bool keep_history(const fs::path& folder, int step) {
         }
         kept += line + '\n';
     }
-    write_whole(folder / "history.csv", kept);
+    write_whole(file, kept);
     return !kept.empty();
 }
 

@@ -12,8 +12,9 @@ namespace thermocontact::output {
 /// Removes what an earlier run left, and nothing else: the checkpoint first, which the rest belongs to.
 void clear_results(const std::filesystem::path& folder);
 
-/// Keeps of history.csv the rows up to `step`, which are whole; false if there is not even a header.
-bool keep_history(const std::filesystem::path& folder, int step);
+/// Keeps of history.csv or steps.csv the rows up to `step`, which are whole; false if there is not even a
+/// header.
+bool keep_rows(const std::filesystem::path& file, int step);
 
 /// Keeps the fields up to `step`, those of `step` itself only if `with_last`; returns their entries in
 /// fields.pvd, which is not written.

@@ -34,6 +34,12 @@ void write_row(std::ofstream& file, const march::Record& record, bool names) {
     file << row << '\n' << std::flush;
 }
 
+void check(const std::ofstream& file, const std::filesystem::path& path) {
+    if (!file) {
+        throw SystemError("cannot write " + path.string() + " (disk full?)");
+    }
+}
+
 }  // namespace
 
 Results::Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation,
@@ -62,20 +68,26 @@ Results::Results(std::filesystem::path folder, const scene::Scene& scene, march:
 }
 
 void Results::open_files(bool continues) {
-    const std::filesystem::path history = folder_ / "history.csv";
     if (continues) {
         const int step = simulation_->state().step;
         std::error_code ignored;
         std::filesystem::remove(folder_ / "summary.json", ignored);
-        has_header_ = keep_history(folder_, step);
+        has_header_ = keep_rows(folder_ / "history.csv", step);
+        steps_have_header_ = scene_->time.tolerance && keep_rows(folder_ / "steps.csv", step);
         entries_ = keep_fields(folder_, step, fields_are_due());
         const bool written = std::ranges::any_of(
             entries_, [&](const PvdEntry& entry) { return entry.time == simulation_->state().time; });
         last_fields_ = written ? step : -1;
     }
-    history_.open(history, continues ? std::ios::app : std::ios::trunc);
-    if (!history_) {
-        throw SystemError("cannot write " + history.string());
+    const auto open = [&](std::ofstream& file, const char* name) {
+        file.open(folder_ / name, continues ? std::ios::app : std::ios::trunc);
+        if (!file) {
+            throw SystemError("cannot write " + (folder_ / name).string());
+        }
+    };
+    open(history_, "history.csv");
+    if (scene_->time.tolerance) {
+        open(steps_, "steps.csv");
     }
     if (!scene_->output.fields.empty()) {
         make_folder(folder_ / "fields");
@@ -95,16 +107,38 @@ void Results::if_first(const std::function<void()>& work) const {
     });
 }
 
+void Results::add_rows(const march::Record& record) {
+    if (!has_header_) {
+        write_row(history_, record, true);
+        has_header_ = true;
+    }
+    write_row(history_, record, false);
+    check(history_, folder_ / "history.csv");
+}
+
+/// A row an attempt. Where no solution was found, there is no estimate.
+void Results::add_attempts() {
+    std::string rows;
+    if (!steps_have_header_) {
+        rows = "step,time,size,error_estimate,field,outcome\n";
+        steps_have_header_ = true;
+    }
+    for (const march::Attempt& attempt : simulation_->attempts()) {
+        const bool failed = attempt.outcome == march::Attempt::Outcome::failed;
+        rows += std::to_string(simulation_->state().step) + "," + exact_text(attempt.end) + "," +
+                exact_text(attempt.size) + "," + (failed ? "" : exact_text(attempt.error)) + "," +
+                attempt.of + "," + march::name(attempt.outcome) + "\n";
+    }
+    steps_ << rows << std::flush;
+    check(steps_, folder_ / "steps.csv");
+}
+
 march::Record Results::add_step() {
     march::Record record = simulation_->record();
     if_first([&] {
-        if (!has_header_) {
-            write_row(history_, record, true);
-            has_header_ = true;
-        }
-        write_row(history_, record, false);
-        if (!history_) {
-            throw SystemError("cannot write " + (folder_ / "history.csv").string() + " (disk full?)");
+        add_rows(record);
+        if (scene_->time.tolerance) {
+            add_attempts();
         }
     });
     if (fields_are_due()) {

@@ -48,6 +48,8 @@ class Results {
   private:
     void if_first(const std::function<void()>& work) const;  ///< called by all, done by the first process
     void open_files(bool continues);
+    void add_rows(const march::Record& record);
+    void add_attempts();
     bool fields_are_due() const;
     void write_grid(const std::string& name, const VtuGrid& grid);
 
@@ -56,8 +58,8 @@ class Results {
     march::Simulation* simulation_;
     FieldGrids grids_;
     Checkpoints checkpoints_;
-    std::ofstream history_;
-    bool has_header_ = false;
+    std::ofstream history_, steps_;
+    bool has_header_ = false, steps_have_header_ = false;
     std::vector<PvdEntry> entries_;
     int last_fields_ = -1;
 };

@@ -70,6 +70,13 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                           {"divided_steps", totals.divided_steps},
                           {"substeps_of_these", totals.parts},
                           {"smallest_step", totals.smallest_step}};
+    if (scene.time.tolerance) {
+        result["adaptive"] = {{"accepted", totals.accepted},
+                              {"rejected", totals.rejected},
+                              {"beyond_tolerance", totals.beyond_tolerance},
+                              {"sum_of_estimates", totals.error_sum},
+                              {"factorisations", simulation.factorisations()}};
+    }
     result["audit"] = {
         {"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
     const march::StepSeconds parts = simulation.step_seconds();

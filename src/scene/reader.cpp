@@ -111,6 +111,9 @@ TimeSpec read_time(const Settings& s) {
     } else if (s.has("time.spectral_radius")) {
         time.spectral_radius = number(s, "time.spectral_radius");
     }
+    if (s.has("time.tolerance")) {
+        time.tolerance = number(s, "time.tolerance");
+    }
     if (s.has("time.coupling_tolerance")) {
         time.coupling_tolerance = number(s, "time.coupling_tolerance");
     }

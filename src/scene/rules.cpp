@@ -72,6 +72,11 @@ void check_choice(const Settings& settings, const std::string& name, const std::
 }
 
 void check_time(const Settings& settings) {
+    if (settings.written("time.tolerance") && settings.value("time.scheme") == "midpoint") {
+        fail_at(settings, "time.tolerance",
+                "needs a time.scheme that damps: \"backward-euler\", \"bdf2\" or \"generalized-alpha\"; "
+                "under \"midpoint\" fast motions ring on and their rates say nothing of the error");
+    }
     check_choice(settings, "time.spectral_radius", "time.scheme", "generalized-alpha");
     check_choice(settings, "time.coupling_tolerance", "time.coupling", "iterated");
     const Setting* step = settings.find("time.step");

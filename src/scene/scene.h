@@ -36,6 +36,7 @@ struct TimeSpec {
     std::string scheme;  ///< "backward-euler" | "bdf2" | "midpoint" | "generalized-alpha"
     std::optional<double> spectral_radius = {};     ///< of a second-order scheme; empty: backward Euler
     std::optional<double> coupling_tolerance = {};  ///< of the iterated coupling, relative; empty: lagged
+    std::optional<double> tolerance = {};           ///< of adaptive steps, relative; empty: equal steps
 };
 
 /// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s]; s

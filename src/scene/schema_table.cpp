@@ -60,6 +60,11 @@ std::vector<Key> general_keys() {
          .choices = {"backward-euler", "bdf2", "midpoint", "generalized-alpha"},
          .fallback = R"("backward-euler")", .example = R"("generalized-alpha")",
          .description = "Time integration scheme; all but backward-euler, the paper's, are of second order."},
+        {.name = "time.tolerance", .type = Type::number, .range = {.low = 0, .high = 0.1, .low_open = true},
+         .example = "1e-3",
+         .description = "Adapt the steps: what one may add to the error of displacement, deformation, velocity or "
+         "temperature, relative to its largest size so far. The steps given are taken whole or in parts of 1/2, 1/4, "
+         "... 1/256; not for midpoint. Absent: equal steps."},
         {.name = "time.spectral_radius", .type = Type::number, .range = from_to(0, 1), .fallback = "0.5",
          .needs = {"time.scheme"}, .example = "0.8",
          .description = "Of generalized-alpha at infinite frequency: 0 damps fast motions at once (as bdf2), 1 "

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "error.h"
 #include "march/simulation.h"
 #include "support/scenes.h"
@@ -104,7 +107,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(CutScene{"paper", rubbing}, CutScene{"paper", with({"time.scheme=\"bdf2\""})},
                     CutScene{"paper", with({"time.scheme=\"midpoint\"", "time.coupling=\"iterated\"",
                                             "time.coupling_tolerance=1e-12"})},
-                    CutScene{"anisotropic", {"time.step=0.05", "time.end=0.6"}}));
+                    CutScene{"anisotropic", {"time.step=0.05", "time.end=0.6"}},
+                    CutScene{"paper", with({"time.steps=4", "time.tolerance=2e-3"})},
+                    CutScene{"paper",
+                             with({"time.steps=4", "time.tolerance=2e-3", "time.scheme=\"bdf2\""})}));
 
 /// The kept derivative is what makes it so: without it the last digits differ.
 TEST(Snapshot, TheKeptDerivativeIsNeeded) {
@@ -121,6 +127,49 @@ TEST(Snapshot, TheKeptDerivativeIsNeeded) {
     march_to(whole, 12);
     march_to(rest, 12);
     EXPECT_FALSE(rest.state().velocity == whole.state().velocity);
+}
+
+/// So is what the control of adaptive steps has kept: without it the steps are others.
+TEST(Snapshot, TheMemoryOfAdaptiveStepsIsNeeded) {
+    const scene::Scene scene = support::repository_scene(
+        "paper", with({"time.steps=4", "time.tolerance=2e-3", "time.scheme=\"bdf2\""}));
+    Simulation whole(scene);
+    march_to(whole, 1);
+    const Snapshot snapshot = whole.snapshot();
+    whole.advance();
+    const auto course = [](const Simulation& simulation) {
+        std::vector<double> result;
+        for (const Attempt& attempt : simulation.attempts()) {
+            result.insert(result.end(), {attempt.size, attempt.error});
+        }
+        return result;
+    };
+    const std::vector<void (*)(State&)> forgetting{[](State& state) { state.halvings = 0; },
+                                                   [](State& state) { state.since_change = -1000; },
+                                                   [](State& state) { state.curvature_lag = 0; },
+                                                   [](State& state) {
+                                                       state.displacement_scale *= 50;
+                                                       state.deformation_scale *= 50;
+                                                       state.velocity_scale *= 50;
+                                                       state.temperature_scale *= 50;
+                                                   }};
+    Simulation same(scene);
+    same.resume(snapshot);
+    same.advance();
+    const auto differ = [&](const Simulation& a, const Simulation& b) {
+        // sums over nodes depend on where the numbers lie in memory
+        return !std::ranges::equal(course(a), course(b),
+                                   [](double x, double y) { return std::abs(x - y) <= 1e-10; });
+    };
+    EXPECT_FALSE(differ(same, whole));
+    for (std::size_t i = 0; i < forgetting.size(); ++i) {
+        Snapshot changed = snapshot;
+        forgetting[i](changed.state);
+        Simulation rest(scene);
+        rest.resume(changed);
+        rest.advance();
+        EXPECT_TRUE(differ(rest, whole)) << "number " << i;
+    }
 }
 
 /// Nor would a state that lacks a field go unnoticed.

@@ -16,7 +16,7 @@ Parts march(double difficulty, double longest, Subdivision& parts) {
     while (!parts.done()) {
         const double begin = parts.end() - parts.length();
         if (begin < difficulty && difficulty <= parts.end() && parts.length() > longest) {
-            if (!parts.halve()) {
+            if (!parts.fail()) {
                 break;
             }
         } else {
@@ -61,13 +61,39 @@ TEST(Subdivision, PartsCoverTheStep) {
     }
 }
 
+TEST(Subdivision, BeginsShortAndLengthensWhenTold) {
+    Subdivision parts(3);
+    EXPECT_EQ(parts.length(), 0.125);
+    parts.accept(0);
+    parts.accept(0);
+    EXPECT_EQ(parts.length(), 0.125);
+    parts.accept(5);
+    EXPECT_EQ(parts.length(), 0.125) << "at 3/8";
+    parts.accept(5);
+    EXPECT_EQ(parts.length(), 0.5) << "at 1/2, where two doublings fit";
+    EXPECT_TRUE(parts.reject(2));
+    EXPECT_EQ(parts.length(), 0.125);
+    EXPECT_EQ(parts.end(), 0.625);
+    for (int part = 0; part < 3; ++part) {
+        parts.accept(0);
+    }
+    EXPECT_FALSE(parts.done());
+    parts.accept(2);
+    EXPECT_TRUE(parts.done());
+    EXPECT_EQ(parts.halvings(), 1) << "of the next step, if it goes on as this one";
+    EXPECT_EQ(parts.failures(), 0) << "a rejection is none";
+    EXPECT_TRUE(parts.reject(100));
+    EXPECT_EQ(parts.halvings(), Subdivision::most_halvings);
+    EXPECT_FALSE(parts.reject(1)) << "there is nothing shorter";
+}
+
 TEST(Subdivision, GivesUp) {
     Subdivision parts;
     EXPECT_EQ(march(0.3, 0.0, parts).size(), 3u) << "[0, 1/4], and two shorter ones before 0.3";
     EXPECT_EQ(parts.smallest(), 1.0 / (1 << Subdivision::most_halvings));
     Subdivision often;
     int failures = 1;
-    while (often.halve()) {
+    while (often.fail()) {
         ++failures;
         often.accept();
         often.accept();

@@ -43,8 +43,10 @@ class CheckpointFile : public testing::Test {
 
     static Checkpoint example() {
         Checkpoint checkpoint{"a run", {}};
-        checkpoint.snapshot.state = {5, 0.625, {1, 0.1, -0.0}, {1e-300, 2, 3}, {4}, 0.125, {5}, {6, 7}, {8}};
-        checkpoint.snapshot.totals = {17, 4, 2, 5, 6, 7, 0.25, 1e-14, 2e-14, 3e-14};
+        checkpoint.snapshot.state = {
+            5,  0.625, {1, 0.1, -0.0}, {1e-300, 2, 3}, {4},  0.125, {5}, {6, 7}, {8}, 3,
+            -4, 0.2,   {9, 10},        {11},           {12}, 13,    14,  15,     16};
+        checkpoint.snapshot.totals = {17, 4, 2, 5, 6, 7, 0.25, 8, 9, 10, 0.5, 1e-14, 2e-14, 3e-14};
         checkpoint.snapshot.kept = {{"momentum", {{0.125, {2, {0, 3}, {0.1, -7}}}, {0.5, {2, {1}, {3}}}}},
                                     {"heat", {{0.125, {1, {}, {}}}}}};
         return checkpoint;
@@ -69,6 +71,16 @@ TEST_F(CheckpointFile, ThereAndBack) {
     EXPECT_EQ(read.snapshot.state.displacement_rate, std::vector<double>{5});
     EXPECT_EQ(read.snapshot.state.velocity_rate, (std::vector<double>{6, 7}));
     EXPECT_EQ(read.snapshot.state.temperature_rate, std::vector<double>{8});
+    EXPECT_EQ(read.snapshot.state.halvings, 3);
+    EXPECT_EQ(read.snapshot.state.since_change, -4);
+    EXPECT_EQ(read.snapshot.state.curvature_lag, 0.2);
+    EXPECT_EQ(read.snapshot.state.displacement_curvature, (std::vector<double>{9, 10}));
+    EXPECT_EQ(read.snapshot.state.velocity_curvature, std::vector<double>{11});
+    EXPECT_EQ(read.snapshot.state.temperature_curvature, std::vector<double>{12});
+    EXPECT_EQ(read.snapshot.state.displacement_scale, 13);
+    EXPECT_EQ(read.snapshot.state.deformation_scale, 14);
+    EXPECT_EQ(read.snapshot.state.velocity_scale, 15);
+    EXPECT_EQ(read.snapshot.state.temperature_scale, 16);
     const march::Totals& totals = read.snapshot.totals;
     EXPECT_EQ(totals.iterations, 17);
     EXPECT_EQ(totals.max_iterations_in_a_step, 4);
@@ -77,6 +89,10 @@ TEST_F(CheckpointFile, ThereAndBack) {
     EXPECT_EQ(totals.parts, 6);
     EXPECT_EQ(totals.failed_attempts, 7);
     EXPECT_EQ(totals.smallest_step, 0.25);
+    EXPECT_EQ(totals.accepted, 8);
+    EXPECT_EQ(totals.rejected, 9);
+    EXPECT_EQ(totals.beyond_tolerance, 10);
+    EXPECT_EQ(totals.error_sum, 0.5);
     EXPECT_EQ(totals.energy_residual, 1e-14);
     EXPECT_EQ(totals.heat_residual, 2e-14);
     EXPECT_EQ(totals.force_residual, 3e-14);
@@ -95,7 +111,8 @@ TEST_F(CheckpointFile, ThereAndBack) {
 /// A scene without mechanics has empty fields.
 TEST_F(CheckpointFile, EmptyFields) {
     Checkpoint checkpoint;
-    checkpoint.snapshot.state = {1, 0.5, {}, {}, {7}, 0, {}, {}, {}};
+    checkpoint.snapshot.state.step = 1;
+    checkpoint.snapshot.state.temperature = {7};
     put(to_bytes(checkpoint, paper()));
     const Checkpoint read = read_checkpoint(file, paper());
     EXPECT_TRUE(read.snapshot.state.displacement.empty());

@@ -105,6 +105,28 @@ TEST_F(Restart, InAnotherFolderStartsAtTheCheckpoint) {
     EXPECT_EQ(rows(cut).size(), 4U) << "the other folder stays";
 }
 
+/// steps.csv is cut back to the checkpoint, and goes on as it did.
+TEST_F(Restart, AdaptiveStepsContinue) {
+    scene = support::repository_scene("paper", {"mesh.cells=[4,4]", "time.steps=6", "time.tolerance=3e-3",
+                                                "output.every=2", "output.checkpoint_every=2"});
+    run(whole, 6);
+    const std::string steps = content(whole / "steps.csv");
+    EXPECT_NE(steps.find(",rejected\n"), std::string::npos) << "nothing was rejected: the case tests little";
+    for (const int stop : {0, 1, 3, 6}) {
+        run(cut, stop);
+        put(cut / "steps.csv", content(cut / "steps.csv") + std::to_string(stop + 1) + ",0.1");
+        run(cut, 6, checkpoint(cut));
+        EXPECT_EQ(content(cut / "steps.csv"), steps) << "stopped at " << stop;
+        EXPECT_EQ(rows(cut), (std::vector<int>{1, 2, 3, 4, 5, 6}));
+        expect_same_fields(whole, cut);
+    }
+    run(other, 6, checkpoint(cut));
+    EXPECT_EQ(content(other / "steps.csv"), "") << "gone on with from the end";
+    scene.time.tolerance.reset();
+    run(cut, 6);
+    EXPECT_FALSE(fs::exists(cut / "steps.csv")) << "of the run before";
+}
+
 /// A copy of the checkpoint elsewhere still belongs to the run; later results go, and its place is taken at
 /// once, so that a kill right after leaves a folder that agrees with itself.
 TEST_F(Restart, FromACopyOfAnEarlierCheckpoint) {
@@ -148,7 +170,7 @@ TEST_F(Restart, HistoriesWithoutAHeader) {
     run(cut, 0);
     for (const char* left : {"", "step,ti", "step,time"}) {
         put(cut / "history.csv", left);
-        EXPECT_FALSE(keep_history(cut, 5)) << left;
+        EXPECT_FALSE(keep_rows(cut / "history.csv", 5)) << left;
     }
     fs::remove(cut / "history.csv");
     run(cut, 3, checkpoint(cut));

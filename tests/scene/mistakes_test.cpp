@@ -35,7 +35,7 @@ const Mistake unknown_keys[] = {
      R"(scene.toml:3: mesh.coefficient: unknown key; did you mean )"
      R"("boundary.NAME.contact.friction.coefficient" or "boundary.NAME.contact.conductance.coefficient"?)"},
     {"LikeNothing", 5, "steps = 4\nfoo = 1",
-     R"(scene.toml:6: time.foo: unknown key; expected "end", "steps", "step", "scheme", "spectral_radius", "coupling" or "coupling_tolerance")"},
+     R"(scene.toml:6: time.foo: unknown key; expected "end", "steps", "step", "scheme", "tolerance", "spectral_radius", "coupling" or "coupling_tolerance")"},
     {"RegionOfAShape", 1, "region.inner.material.density = 1\n[mesh]",
      "scene.toml:1: region.inner: unknown region of the rectangle; it has none"},
     {"RegionOfAFile", 2, "file = \"part.msh\"\n[region.lefd.material]\ndensity = 1",
@@ -182,6 +182,9 @@ const Mistake tensors[] = {
 };
 
 const Mistake combinations[] = {
+    {"AdaptiveMidpoint", 5, "steps = 4\nscheme = \"midpoint\"\ntolerance = 1e-3",
+     R"(scene.toml:7: time.tolerance: needs a time.scheme that damps: "backward-euler", "bdf2" or )"
+     R"("generalized-alpha"; under "midpoint" fast motions ring on and their rates say nothing of the error)"},
     {"StepAndSteps", 5, "steps = 4\nstep = 0.25",
      "scene.toml:6: time.step: cannot stand beside time.steps (line 5); give one of the two"},
     {"NeitherStepNorSteps", 5, "",

@@ -56,7 +56,7 @@ def _new(jobs: Sequence[Job], ranks: int) -> list[Job]:
     """Those whose results are not kept from an earlier run; the others' are fetched."""
     new = []
     for scene, directory in jobs:
-        if oracle_results.fetch(scene, directory, ranks=ranks):
+        if oracle_results.fetch(scene, directory, ranks=ranks, followed=followed(directory)):
             code_file(directory).write_text("0", encoding="ascii")
         else:
             new.append((scene, directory))
@@ -66,7 +66,7 @@ def _new(jobs: Sequence[Job], ranks: int) -> list[Job]:
 def _keep(jobs: Sequence[Job], ranks: int) -> None:
     for scene, directory in jobs:
         if not oracle_failure(directory):
-            oracle_results.keep(scene, directory, ranks=ranks)
+            oracle_results.keep(scene, directory, ranks=ranks, followed=followed(directory))
 
 
 def _command(jobs: Sequence[Job], file: Path) -> list[str]:
@@ -77,6 +77,11 @@ def _command(jobs: Sequence[Job], file: Path) -> list[str]:
 def _start(command: Sequence[str]) -> None:
     """Its success is not asked for: a scene without a code file was not solved."""
     subprocess.run(command, cwd=HERE)
+
+
+def followed(directory: Path) -> Path:
+    """The driver's results beside the oracle's: the latter takes their steps where these are adapted."""
+    return directory.with_name("driver")
 
 
 def oracle_failure(directory: Path) -> str:

@@ -42,7 +42,7 @@ def _mesh_and_time() -> dict[str, list[Variation]]:
 
 
 def _schemes() -> dict[str, list[Variation]]:
-    scheme, radius = "time.scheme", "time.spectral_radius"
+    scheme, radius, limit = "time.scheme", "time.spectral_radius", "time.tolerance"
     coupling, tolerance = "time.coupling", "time.coupling_tolerance"
     alpha, iterated = {scheme: "generalized-alpha"}, {coupling: "iterated"}
     second_order = ("bdf2", "midpoint", "generalized-alpha")
@@ -62,6 +62,11 @@ def _schemes() -> dict[str, list[Variation]]:
             ),
             *vary(CONTACT, scheme, "bdf2", beside={"heat.capacity": ABSENT}),
         ],
+        limit: vary(CONTACT, limit, 0.05, 2e-3)
+        + vary(CONTACT, limit, 0.02, beside={scheme: "bdf2"})
+        + vary(CONTACT, limit, 0.05, beside={**alpha, **iterated})
+        + vary("heat", limit, 0.01)
+        + vary("mechanics", limit, 0.02, beside={scheme: "bdf2"}),
         radius: vary(CONTACT, radius, 0.0, 0.8, 1.0, beside=alpha) + vary("heat", radius, 0.25, beside=alpha),
         coupling: [
             *vary(CONTACT, coupling, "lagged", same=DEFAULT),

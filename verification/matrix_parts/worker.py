@@ -2,8 +2,9 @@
 
     [mpirun -n P] python3 -m matrix_parts.worker JOBS.json
 
-JOBS.json lists pairs [scene file, output directory]. The exit code of each is written into its directory's parent as
-NAME.code; what went wrong is on stderr.
+JOBS.json lists pairs [scene file, output directory]; beside the latter, "driver" has the driver's results, whose steps
+are followed where they are adapted. The exit code of each is written into its directory's parent as NAME.code; what
+went wrong is on stderr.
 """
 
 import gc
@@ -16,13 +17,14 @@ from pathlib import Path
 from mpi4py import MPI
 
 import oracle
-from matrix_parts.runs import code_file
+from matrix_parts.runs import code_file, followed
 
 
 def solve(scene: str, directory: Path) -> int:
     """The oracle's exit code; an exception that it does not foresee is one more failure of the system."""
     try:
-        return oracle.main([scene, "--output", str(directory), "--quiet"])
+        follow = ["--follow", str(followed(directory))]
+        return oracle.main([scene, "--output", str(directory), *follow, "--quiet"])
     except Exception:
         traceback.print_exc()
         if MPI.COMM_WORLD.size > 1:

@@ -1,6 +1,6 @@
 """All mutations, room by room."""
 
-from . import app, fem, forms, march, mesh, model, multigrid, output, parallel, scene, solve, theory
+from . import adaptive, app, fem, forms, march, mesh, model, multigrid, output, parallel, scene, solve, theory
 from .mutation import Mutation
 
 MUTATIONS: tuple[Mutation, ...] = (
@@ -13,6 +13,7 @@ MUTATIONS: tuple[Mutation, ...] = (
     *solve.MUTATIONS,
     *multigrid.MUTATIONS,
     *march.MUTATIONS,
+    *adaptive.MUTATIONS,
     *output.MUTATIONS,
     *theory.MUTATIONS,
     *parallel.MUTATIONS,

@@ -261,7 +261,7 @@ MUTATIONS = (
     ),
     Mutation(
         "simulation-slip-share",
-        "src/march/simulation.cpp",
+        "src/march/simulation_report.cpp",
         "slipping += measures.slip_fraction * measures.area;",
         "slipping += measures.slip_fraction;",
         "missing",
@@ -342,7 +342,7 @@ MUTATIONS = (
     Mutation(
         "subdivision-length",
         "src/march/subdivision.h",
-        "double length() const { return share(whole >> halvings_); }",
+        "double length() const { return share(units()); }",
         "double length() const { return share(whole); }",
         "factor",
         "the parts of a step make up the step",

@@ -108,6 +108,7 @@ class Scene:
     steps: int
     radius: float | None  # spectral radius of the scheme; None: backward Euler
     coupling_tolerance: float | None  # None: lagged
+    adapts: bool  # the steps' sizes to time.tolerance
     material: Material | None
     heat: Heat | None
     regions: dict[str, tuple[Material | None, Heat | None]]  # those that differ from the two above
@@ -158,6 +159,7 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         steps=_steps(time, end),
         radius=radius,
         coupling_tolerance=coupling_tolerance,
+        adapts=time.optional("tolerance", positive) is not None,
         material=material,
         heat=heat,
         regions=regions,

@@ -10,7 +10,14 @@ from oracle_parts import vtu
 
 Array = npt.NDArray[np.float64]
 # columns that say how a step was solved, and how well: they follow the last digits
-HOW = ("newton_iterations", "heat_iterations", "retries", "energy_residual", "heat_residual", "force_residual")
+HOW = (
+    "newton_iterations",
+    "heat_iterations",
+    "retries",
+    "energy_residual",
+    "heat_residual",
+    "force_residual",
+)
 
 
 class Differs(Exception):
@@ -59,9 +66,12 @@ def field_distance(a: dict[str, Array], b: dict[str, Array]) -> float:
 
 
 def check_same_files(whole: Path, other: Path) -> None:
-    """Raises Differs unless both hold the same fields at the same times, byte by byte, and nothing else."""
+    """Raises Differs unless both hold the same fields at the same times and adaptive steps, byte by byte."""
     files = [
-        {str(path.relative_to(folder)): path for path in [folder / "fields.pvd", *(folder / "fields").iterdir()]}
+        {
+            str(path.relative_to(folder)): path
+            for path in [folder / "fields.pvd", *folder.glob("steps.csv"), *(folder / "fields").iterdir()]
+        }
         for folder in (whole, other)
     ]
     if files[0].keys() != files[1].keys():

@@ -204,6 +204,25 @@ class CompareTest(unittest.TestCase):
 
         self.assertEqual(self.code_after(change), 2)
 
+    def code_of_steps(self, other: str) -> int:
+        """Beside equal results, these steps in one folder, and in the other one that was rejected and one taken."""
+        rows = "1,0.5,0.5,0.1,velocity,rejected\n1,0.25,0.25,1e-3,velocity,accepted\n"
+        for folder, text in ((self.a, rows), (self.b, other)):
+            (folder / "steps.csv").write_text(
+                "step,time,size,error_estimate,field,outcome\n" + text, encoding="ascii"
+            )
+        return self.code()
+
+    def test_adaptive_steps(self) -> None:
+        """What the estimate is in its last digits does not matter."""
+        write(self.b)
+        rows = "1,0.5,0.5,0.1000001,velocity,rejected\n1,0.25,0.25,1e-3,velocity,accepted\n"
+        self.assertEqual(self.code_of_steps(rows), 0)
+        self.assertEqual(self.code_of_steps(rows.replace("rejected", "failed")), 2)
+        self.assertEqual(self.code_of_steps(rows.replace("0.25,0.25", "0.125,0.125")), 2)
+        self.assertEqual(self.code_of_steps(rows + "1,0.5,0.25,1e-3,velocity,accepted\n"), 2)
+        self.assertIn("other adaptive steps from number 3 on", self.output.getvalue())
+
     def code_of_pieces(self, part: int, change: PieceChange | None = None) -> int:
         write(self.b)
         into_pieces(self.b, 1, part, change)

@@ -98,6 +98,25 @@ class OracleTest(unittest.TestCase):
         for displacement in self.grid("body_000010").point_data["displacement"]:
             self.assertAlmostEqual(displacement[1], -0.55, delta=1e-12)
 
+    def test_follows_adaptive_steps(self) -> None:
+        """theta = t whatever the steps, and nothing but steps that fill the scene's is taken."""
+        scene = "time = {end = 1.0, steps = 2, tolerance = 1e-3}\nheat = {capacity = 1.0, source = 1.0}\n"
+        whole = "1,0.5,0.5,0,,trial\n1,0.125,0.125,0,,accepted\n1,0.5,0.375,0,,beyond-tolerance\n2,1,0.5,0,,accepted\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "scene.toml"
+            path.write_text(MESH + "\n" + scene, encoding="utf-8")
+            for rows, code in (
+                (whole, 0),
+                (whole.replace("beyond-tolerance", "rejected"), 2),
+                (whole.replace("0.5,0.375", "0.5,0.25"), 2),
+                (whole[: whole.index("2,1")], 2),
+            ):
+                rows = "step,time,size,error_estimate,field,outcome\n" + rows
+                (Path(folder) / "steps.csv").write_text(rows, encoding="ascii")
+                command = [str(path), "--output", folder, "--follow", folder, "--quiet"]
+                self.assertEqual(oracle.main(command), code, rows)
+            self.assertEqual(oracle.main([str(path), "--output", folder, "--quiet"]), 2)
+
     def test_dragged_block(self) -> None:
         """A block moved along the foundation at speed v: friction mu p_n v/|v|_eps on the whole side."""
         final = self.solve(

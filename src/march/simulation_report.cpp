@@ -1,0 +1,94 @@
+/// What a simulation tells of itself.
+#include <algorithm>
+#include <cmath>
+
+#include "march/simulation.h"
+
+namespace thermocontact::march {
+
+double Simulation::factor_seconds() const {
+    return (momentum_ ? momentum_->balance().factor_seconds() : 0) +
+           (heat_ ? heat_->balance().factor_seconds() : 0);
+}
+
+int Simulation::factorisations() const {
+    return (momentum_ ? momentum_->balance().factorisations() : 0) +
+           (heat_ ? heat_->balance().factorisations() : 0);
+}
+
+StepSeconds Simulation::step_seconds() const {
+    StepSeconds seconds;
+    if (momentum_) {
+        seconds.add(momentum_->seconds());
+    }
+    if (heat_) {
+        seconds.add(heat_->seconds());
+    }
+    return seconds;
+}
+
+std::int64_t Simulation::factor_entries() const {
+    return (momentum_ ? momentum_->balance().factor_entries() : 0) +
+           (heat_ ? heat_->balance().factor_entries() : 0);
+}
+
+std::int64_t Simulation::contact_unknowns() const {
+    const auto owned = [&](const std::vector<std::int32_t>& dofs, int components) {
+        return static_cast<double>(std::ranges::count_if(dofs, [&](std::int32_t dof) {
+            return part_.numbers.owns(static_cast<std::size_t>(dof / components));
+        }));
+    };
+    const double here = (momentum_ ? owned(momentum_->balance().contact_dofs(), scene_->dimension) : 0) +
+                        (heat_ ? owned(heat_->balance().contact_dofs(), 1) : 0);
+    return std::llround(team().sum(here));
+}
+
+std::map<std::string, model::ContactMeasures> Simulation::contact_measures() {
+    std::map<std::string, model::ContactMeasures> result;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        result[surfaces_[i]->name] = probes_[i]->measure(team());
+    }
+    return result;
+}
+
+Record Simulation::norms() const {
+    return {{"velocity_l2", momentum_ ? momentum_->velocity_norm(state_.velocity) : 0.0},
+            {"displacement_strain_l2", momentum_ ? momentum_->strain_norm(state_.displacement) : 0.0},
+            {"temperature_l2", heat_ ? heat_->temperature_norm(state_.temperature) : 0.0}};
+}
+
+Record Simulation::record() {
+    Record row{{"step", state_.step},
+               {"time", state_.time},
+               {"newton_iterations", last_.momentum.iterations},
+               {"heat_iterations", last_.heat.iterations},
+               {"retries", last_.momentum.retries + last_.heat.retries},
+               {"failed_attempts", last_.failed_attempts},
+               {"substeps", last_.parts}};
+    if (control_) {
+        double rejected = 0, largest = 0;
+        for (const Attempt& attempt : last_.attempts) {
+            rejected += attempt.outcome == Attempt::Outcome::rejected ? 1 : 0;
+            largest = std::max(largest, is_taken(attempt) ? attempt.error : 0.0);
+        }
+        row.emplace_back("rejected_substeps", rejected);
+        row.emplace_back("smallest_substep", last_.smallest_step);
+        row.emplace_back("error_estimate", largest);
+    }
+    row.insert(row.end(), balances_.begin(), balances_.end());
+    if (!surfaces_.empty()) {
+        double area = 0, closed = 0, slipping = 0, deepest = 0;
+        for (const auto& [name, measures] : contact_measures()) {
+            area += measures.area;
+            closed += measures.contact_fraction * measures.area;
+            slipping += measures.slip_fraction * measures.area;
+            deepest = std::max(deepest, measures.max_penetration);
+        }
+        row.emplace_back("contact_fraction", closed / area);
+        row.emplace_back("slip_fraction", slipping / area);
+        row.emplace_back("max_penetration", deepest);
+    }
+    return row;
+}
+
+}  // namespace thermocontact::march

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -21,12 +22,18 @@ using ColumnMap = Eigen::Map<Column<size>>;
 template <int size>
 using ConstColumnMap = Eigen::Map<const Column<size>>;
 
+/// Where a column of a block with that many rows begins.
+template <int rows, typename Float>
+Float* column_of(Float* block, int column) {
+    return block + std::ptrdiff_t{column} * lanes(rows);
+}
+
 /// B x for a block of `rows` and `columns`.
 template <int rows, int columns>
 inline Column<rows> product(const float* block, const float* x) {
     Column<rows> sum = ConstColumnMap<rows>(block) * x[0];
     for (int c = 1; c < columns; ++c) {
-        sum += ConstColumnMap<rows>(block + c * lanes(rows)) * x[c];
+        sum += ConstColumnMap<rows>(column_of<rows>(block, c)) * x[c];
     }
     return sum;
 }
@@ -35,7 +42,7 @@ inline Column<rows> product(const float* block, const float* x) {
 template <int rows, int columns>
 inline void add_transposed_product(const float* block, const Column<rows>& x, float* y) {
     for (int c = 0; c < columns; ++c) {
-        y[c] += (ConstColumnMap<rows>(block + c * lanes(rows)) * x).sum();
+        y[c] += (ConstColumnMap<rows>(column_of<rows>(block, c)) * x).sum();
     }
 }
 

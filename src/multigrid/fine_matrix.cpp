@@ -83,7 +83,7 @@ Matrix fine_matrix(const fem::BlockMatrix& A, const Pieces& D, const std::vector
             if (const auto found = contact.find(pair); found != contact.end()) {
                 std::ranges::transform(block, found->second, block.begin(), std::plus<>());
             }
-            scaling.scale(i, j, block.data());
+            scaling.scale(i, j, block);
             float* to = result.block(pair);
             for (std::size_t r = 0; r < size; ++r) {
                 for (std::size_t c = 0; c < size; ++c) {

@@ -62,9 +62,9 @@ BlockRows half_product(const Matrix& A, const Prolongation& P, std::size_t coars
                 for (int r = 0; r < size; ++r) {
                     Column<motions> sum = Column<motions>::Zero();
                     for (int s = 0; s < size; ++s) {
-                        sum += ConstColumnMap<motions>(from + s * stride) * block[s * fine + r];
+                        sum += ConstColumnMap<motions>(column_of<motions>(from, s)) * block[s * fine + r];
                     }
-                    ColumnMap<motions>(to + r * stride) += factor * sum;
+                    ColumnMap<motions>(column_of<motions>(to, r)) += factor * sum;
                 }
             }
         }
@@ -91,9 +91,9 @@ BlockRows project(const Prolongation& P, const BlockRows& W, std::size_t coarse_
                 const float* right = W.values.data() + entry * fine_length;
                 float* to = row.at(W.columns[entry]);
                 for (int c = 0; c < motions; ++c) {
-                    ColumnMap<motions> sum(to + c * stride);
+                    ColumnMap<motions> sum(column_of<motions>(to, c));
                     for (int r = 0; r < size; ++r) {
-                        sum += ConstColumnMap<motions>(left + r * stride) * right[r * stride + c];
+                        sum += ConstColumnMap<motions>(column_of<motions>(left, r)) * right[r * stride + c];
                     }
                 }
             }

@@ -21,11 +21,10 @@ std::int64_t unknowns(const Level& level) {
 /// Nodes with a motion that is not zero.
 std::vector<char> movable(const NearNullSpace& motions, std::size_t nodes) {
     std::vector<char> result(nodes, 0);
-    const std::size_t length = nodes == 0 ? 0 : motions.values.size() / nodes;
-    for (std::size_t k = 0; k < motions.values.size(); ++k) {
-        if (motions.values[k] != 0) {
-            result[k / length] = 1;
-        }
+    for (std::size_t node = 0; node < nodes; ++node) {
+        const auto length = static_cast<std::ptrdiff_t>(motions.values.size() / nodes);
+        const auto first = motions.values.begin() + static_cast<std::ptrdiff_t>(node) * length;
+        result[node] = std::any_of(first, first + length, [](double value) { return value != 0; }) ? 1 : 0;
     }
     return result;
 }
@@ -62,7 +61,7 @@ void scale(Matrix& A, Prolongation& P, NearNullSpace& motions, const SharedNodes
             for (std::size_t k = 0; k < n * n; ++k) {
                 block[k] = values[k % n * stride + k / n];
             }
-            scaling.scale(i, static_cast<std::size_t>(A.columns[pair]), block.data());
+            scaling.scale(i, static_cast<std::size_t>(A.columns[pair]), block);
             for (std::size_t k = 0; k < n * n; ++k) {
                 values[k % n * stride + k / n] = static_cast<float>(block[k]);
             }

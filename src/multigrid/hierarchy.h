@@ -27,7 +27,7 @@ class Hierarchy {
   private:
     void factor_coarsest();
     void solve_coarsest();
-    void cycle(std::size_t level);
+    void cycle(std::size_t number);
 
     std::vector<std::unique_ptr<Level>> levels_;  ///< from fine to coarse
     bool dense_ = false;                          ///< the coarsest is solved, otherwise smoothed

@@ -74,7 +74,7 @@ class CoarseNodes {
 /// (A Q)^T of this part.
 template <int size, int motions>
 Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) {
-    constexpr int fine = lanes(size), stride = lanes(motions);
+    constexpr int fine = lanes(size);
     const Before before = lower_triangle(A);
     RowCollector row(coarse.count(), Q.length);
     Rows result{Q.length, {0}, {}, {}};
@@ -87,9 +87,9 @@ Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) 
         const float* from = Q.values.data() + entry * Q.length;
         float* to = row.at(coarse.local(Q.columns[entry]));
         for (int r = 0; r < size; ++r) {
-            ColumnMap<motions> sum(to + r * stride);
+            ColumnMap<motions> sum(column_of<motions>(to, r));
             for (int s = 0; s < size; ++s) {
-                sum += ConstColumnMap<motions>(from + s * stride) *
+                sum += ConstColumnMap<motions>(column_of<motions>(from, s)) *
                        (transposed ? block[r * fine + s] : block[s * fine + r]);
             }
         }
@@ -159,14 +159,15 @@ void add_prolonged(const Prolongation& P, const float* coarse, float* fine) {
     for (std::size_t i = 0; i + 1 < P.offsets.size(); ++i, fine += lanes(size)) {
         const std::int32_t* end = P.columns.data() + P.offsets[i + 1];
         for (; column < end; ++column, block += length) {
-            const Column<motions> from = ConstColumnMap<motions>(coarse + *column * lanes(motions));
+            const Column<motions> from = ConstColumnMap<motions>(column_of<motions>(coarse, *column));
             add_transposed_product<motions, size>(block, from, fine);
         }
     }
 }
 
 template <int size, int motions>
-void add_restricted(const Prolongation& P, const float* fine, const SharedNodes& nodes, float* coarse) {
+void add_restricted(const Prolongation& P, const float* fine, const SharedNodes& nodes,
+                    std::vector<float>& coarse) {
     constexpr std::size_t length = std::size_t{size} * lanes(motions);
     for (std::size_t i = 0; i + 1 < P.offsets.size(); ++i, fine += lanes(size)) {
         if (!nodes.owned(i)) {
@@ -174,7 +175,7 @@ void add_restricted(const Prolongation& P, const float* fine, const SharedNodes&
         }
         const auto end = static_cast<std::size_t>(P.offsets[i + 1]);
         for (auto entry = static_cast<std::size_t>(P.offsets[i]); entry < end; ++entry) {
-            ColumnMap<motions>(coarse + std::ptrdiff_t{P.columns[entry]} * lanes(motions)) +=
+            ColumnMap<motions>(column_of<motions>(coarse.data(), P.columns[entry])) +=
                 product<motions, size>(P.values.data() + entry * length, fine);
         }
     }
@@ -211,7 +212,7 @@ void Prolongation::restrict_to(const std::vector<float>& fine, const SharedNodes
                                std::vector<float>& coarse) const {
     std::ranges::fill(coarse, 0.0F);
     with_sizes(fine_size, coarse_size, [&]<int size, int motions>() {
-        add_restricted<size, motions>(*this, fine.data(), nodes, coarse.data());
+        add_restricted<size, motions>(*this, fine.data(), nodes, coarse);
     });
 }
 

@@ -17,7 +17,7 @@ using ConstBlockMap = Eigen::Map<const Block<size>>;
 template <int size>
 Block<size> inverse_factor(const Block<size>& D) {
     const Eigen::LLT<Block<size>> factors(D);
-    const Block<size> result = factors.matrixL().solve(Block<size>::Identity());
+    Block<size> result = factors.matrixL().solve(Block<size>::Identity());
     if (factors.info() == Eigen::Success && result.allFinite()) {
         return result;
     }
@@ -39,9 +39,9 @@ Scaling::Scaling(int size, const std::vector<double>& diagonal)
     });
 }
 
-void Scaling::scale(std::size_t i, std::size_t j, double* B) const {
+void Scaling::scale(std::size_t i, std::size_t j, std::span<double> B) const {
     with_size(size_, [&]<int n>() {
-        Eigen::Map<Block<n>> values(B);
+        Eigen::Map<Block<n>> values(B.data());
         values = (ConstBlockMap<n>(inverse(i)) * values * ConstBlockMap<n>(inverse(j)).transpose()).eval();
     });
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace thermocontact::multigrid {
@@ -22,7 +23,7 @@ class Scaling {
     const double* inverse(std::size_t node) const { return inverses_.data() + node * length_; }
 
     /// L_i^-1 B L_j^-T in the place of B.
-    void scale(std::size_t i, std::size_t j, double* B) const;
+    void scale(std::size_t i, std::size_t j, std::span<double> B) const;
 
     /// L^-1 D B in the place of B [size][columns]: L^T B, where D is the block that was given.
     void divide_product(std::size_t node, const double* D, double* B, int columns) const;

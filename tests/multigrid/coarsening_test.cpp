@@ -170,7 +170,7 @@ TEST(Scaling, StiffBlocksBecomeTheIdentity) {
     const double c = 1e10;  // eps c = 2e-6
     std::vector<double> D{1 + 0.36 * c, 0.48 * c, 0.48 * c, 1 + 0.64 * c};
     const Scaling scaling(2, D);
-    scaling.scale(0, 0, D.data());
+    scaling.scale(0, 0, D);
     EXPECT_NEAR(D[0], 1, 1e-5);
     EXPECT_NEAR(D[1], 0, 1e-5);
     EXPECT_NEAR(D[2], 0, 1e-5);

@@ -6,9 +6,10 @@
 
 The mutations are listed in mutate_parts, each with the exact text that it replaces: where the code has changed so that
 a text is not there exactly once, nothing is run. A copy of the project is built; in it each mutation is made and built
-in turn, and the tests that tests/run.sh runs are asked one after another, the cheapest first, until one fails: the C++
-tests, those that look at the mutation's room, the others. On the untouched copy all of them must pass. What the oracle
-finds is kept in the folder of the copy, as it does not depend on the code that is changed.
+in turn, and the tests that tests/run.sh runs are asked one after another until one fails: the C++ tests for all
+mutations, in an order that mixes the rooms; then for those left the tests that look at the mutation's room, and the
+others, the shortest first. On the untouched copy all of them must pass. What the oracle finds is kept in the folder of
+the copy, as it does not depend on the code that is changed.
 
 Results, one row a mutation, go to --output as soon as they are there; --resume takes over those that were noticed.
 
@@ -21,10 +22,12 @@ import contextlib
 import sys
 import tempfile
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from queue import SimpleQueue
+from typing import Any
 
 from mutate_parts import campaign
 from mutate_parts.campaign import Verdict
@@ -67,41 +70,61 @@ class Run:
         kept = {mutation.name: earlier.get((mutation.name, mutation.digest)) for mutation in mutations}
         self.verdicts = {name: verdict for name, verdict in kept.items() if verdict and verdict.noticed}
         self.mutations = mutations
-        self.left = [mutation for mutation in mutations if mutation.name not in self.verdicts]
+
+    def left(self) -> list[Mutation]:
+        """Those not judged yet, and those that only the C++ tests were asked about."""
+        verdicts = [self.verdicts.get(mutation.name) for mutation in self.mutations]
+        pairs = zip(self.mutations, verdicts)
+        return [m for m, verdict in pairs if verdict is None or verdict.noticed_by == campaign.WAITS]
 
     def ordered(self) -> list[Verdict]:
         return [self.verdicts[m.name] for m in self.mutations if m.name in self.verdicts]
 
     def add(self, verdict: Verdict) -> None:
         with self.lock:
+            if earlier := self.verdicts.get(verdict.mutation):
+                verdict = replace(verdict, seconds=earlier.seconds + verdict.seconds)
             self.verdicts[verdict.mutation] = verdict
             campaign.write(self.output, self.ordered())
             print(campaign.line(verdict), flush=True)
 
 
 def march(run: Run, work: Path, jobs: int) -> None:
-    """All mutations that are left, dealt out to as many copies as there are jobs."""
+    """The C++ tests for all mutations that are left, the other tests for those that are left then; dealt out to as
+    many copies as there are jobs."""
     copies: SimpleQueue[tuple[Workspace, Suite]] = SimpleQueue()
     usual: dict[str, float] = {}
-    for job in range(jobs):
+
+    def copy(job: int) -> Suite:
         workspace = Workspace(work / str(job + 1), FOLDERS, (), "all")
-        suite = Suite(workspace.build, work / "oracle")
-        if not usual:
-            suite.baseline()
-            usual = suite.usual
-            print(f"untouched code: {len(usual)} tests pass in {sum(usual.values()):.0f} s", flush=True)
-        suite.usual = usual
+        suite = Suite(workspace.build, work / "oracle", usual)
         copies.put((workspace, suite))
+        return suite
 
-    def one(mutation: Mutation) -> None:
-        workspace, suite = copies.get()
-        try:
-            run.add(campaign.judge(mutation, workspace, suite))
-        finally:
-            copies.put((workspace, suite))
+    def in_a_copy(task: Callable[[Any, Workspace, Suite], None]) -> Callable[[Any], None]:
+        def one(item: Any) -> None:
+            place = copies.get()
+            try:
+                task(item, *place)
+            finally:
+                copies.put(place)
 
+        return one
+
+    def asked(tests: campaign.Asked) -> Callable[[Any], None]:
+        return in_a_copy(
+            lambda mutation, workspace, suite: run.add(campaign.judge(tests, mutation, workspace, suite))
+        )
+
+    baseline = in_a_copy(lambda name, _, suite: suite.baseline(name))
     with ThreadPoolExecutor(max_workers=jobs) as pool:
-        list(pool.map(one, run.left))
+        names = list(pool.map(copy, range(jobs)))[0].names
+        baseline(campaign.CPP)
+        list(pool.map(asked(campaign.by_cpp), campaign.mixed(run.left())))
+        if run.left():
+            list(pool.map(baseline, [name for name in names if name != campaign.CPP]))
+            print(f"untouched code: {len(usual)} tests pass in {sum(usual.values()):.0f} s", flush=True)
+        list(pool.map(asked(campaign.by_others), campaign.mixed(run.left())))
 
 
 def tell(run: Run) -> int:
@@ -142,7 +165,7 @@ def check(options: argparse.Namespace) -> int:
         return NOTICED
     run = Run(mutations, options)
     with folder(options.work) as work:
-        if run.left:
+        if run.left():
             march(run, work, options.jobs)
     return tell(run)
 

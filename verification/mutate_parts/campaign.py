@@ -4,7 +4,7 @@ import csv
 import textwrap
 import time
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -14,14 +14,16 @@ from .suite import Suite
 from .workspace import Workspace, stamp
 
 SURVIVED, NOT_COMPILED = "nothing", "not compiled"
+WAITS = "not cpp"  # the C++ tests pass, the others were not asked yet
 CPP, CPP_TARGET = "cpp", "thermocontact_tests"  # the test that comes first, and what it needs
 
 # Tests that look at a room and are asked before the others
 FIRST = {
     "theory": ("theory.",),
-    "parallel": ("ranks", "mpirun", "parallel"),
-    "petsc": ("ranks", "mpirun", "parallel"),
+    "parallel": ("verification.processes", "cross.box-in-crumbs", "cross.rectangle-in-crumbs"),
+    "petsc": ("verification.strategies", "cross.heat-only", "cross.box-in-crumbs"),
     "app": ("exit_codes",),
+    "output": ("exit_codes", "cross.heat-only"),
 }
 
 
@@ -32,27 +34,30 @@ class Verdict:
     room: str
     file: str
     kind: str
-    noticed_by: str  # a test of ctest, or one of the two words above
+    noticed_by: str  # a test of ctest, or one of the three words above
     seconds: int
     how: str
 
     @property
     def noticed(self) -> bool:
-        return self.noticed_by not in (SURVIVED, NOT_COMPILED)
+        return self.noticed_by not in (SURVIVED, NOT_COMPILED, WAITS)
 
 
-def judge(mutation: Mutation, workspace: Workspace, suite: Suite) -> Verdict:
-    """Make the change, build, and ask one test after another until one fails."""
+Asked = Callable[[Mutation, Workspace, Suite], tuple[str, str]]
+
+
+def judge(asked: Asked, mutation: Mutation, workspace: Workspace, suite: Suite) -> Verdict:
+    """Make the change, build, and ask tests until one fails."""
     start = time.monotonic()
     with workspace.mutated(mutation):
-        by, how = first_to_notice(mutation, workspace, suite)
+        by, how = asked(mutation, workspace, suite)
     seconds = round(time.monotonic() - start)
     file = mutation.file
     return Verdict(mutation.name, mutation.digest, mutation.room, file, mutation.kind, by, seconds, how)
 
 
-def first_to_notice(mutation: Mutation, workspace: Workspace, suite: Suite) -> tuple[str, str]:
-    # the C++ tests need but one of the programs: most mutations go no further
+def by_cpp(mutation: Mutation, workspace: Workspace, suite: Suite) -> tuple[str, str]:
+    """The C++ tests need but one of the programs: most mutations go no further."""
     program = workspace.build / "tests" / CPP_TARGET
     before = stamp(program)
     if problem := workspace.make(CPP_TARGET):
@@ -61,6 +66,11 @@ def first_to_notice(mutation: Mutation, workspace: Workspace, suite: Suite) -> t
         outcome = suite.run(CPP)
         if not outcome.passed:
             return CPP, outcome.how
+    return WAITS, ""
+
+
+def by_others(mutation: Mutation, workspace: Workspace, suite: Suite) -> tuple[str, str]:
+    """All other tests, those that look at the mutation's room first."""
     if problem := workspace.make():
         return NOT_COMPILED, problem
     for name in suite.order(FIRST.get(mutation.room, ())):
@@ -71,10 +81,21 @@ def first_to_notice(mutation: Mutation, workspace: Workspace, suite: Suite) -> t
     return SURVIVED, mutation.equivalent
 
 
+def mixed(mutations: Sequence[Mutation]) -> list[Mutation]:
+    """An order in which all rooms advance evenly, by chance in each: what is done at any time is a fair sample."""
+    places: dict[Mutation, float] = {}
+    for room in {mutation.room for mutation in mutations}:
+        members = sorted((m for m in mutations if m.room == room), key=lambda m: m.digest)
+        places |= {member: (place + 0.5) / len(members) for place, member in enumerate(members)}
+    return sorted(mutations, key=lambda mutation: (places[mutation], mutation.digest))
+
+
 def problem(verdict: Verdict, mutation: Mutation) -> str:
     """Empty, or why this verdict makes the whole run fail."""
     if verdict.noticed_by == NOT_COMPILED:
         return "does not compile; replace it by one that does"
+    if verdict.noticed_by == WAITS:
+        return "not noticed by the C++ tests; the others were not asked"
     if verdict.noticed_by == SURVIVED and not mutation.equivalent:
         return "no test notices it"
     if verdict.noticed and mutation.equivalent:
@@ -107,10 +128,12 @@ def line(verdict: Verdict) -> str:
 
 
 def by_room(verdicts: Sequence[Verdict]) -> str:
-    """A table in Markdown: how many mutations a room has, and what noticed them."""
-    rows = ["| room | mutations | noticed by |", "| --- | --- | --- |"]
+    """A table in Markdown: how many mutations a room has, what noticed them, and how long that took."""
+    rows = ["| room | mutations | noticed by | survived | s |", "| --- | --- | --- | --- | --- |"]
     for room in dict.fromkeys(verdict.room for verdict in verdicts):
-        counts = Counter(verdict.noticed_by for verdict in verdicts if verdict.room == room)
+        of_room = [verdict for verdict in verdicts if verdict.room == room]
+        counts = Counter(verdict.noticed_by for verdict in of_room if verdict.noticed)
         told = ", ".join(f"{name} {count}" for name, count in counts.most_common())
-        rows.append(f"| `{room}` | {sum(counts.values())} | {told} |")
+        seconds = sum(verdict.seconds for verdict in of_room)
+        rows.append(f"| `{room}` | {len(of_room)} | {told} | {len(of_room) - counts.total()} | {seconds} |")
     return "\n".join(rows)

@@ -203,6 +203,17 @@ TEST_F(ResultFiles, FieldsAreTheState) {
     }
 }
 
+/// A gap of zero is closed.
+TEST_F(ResultFiles, WhatJustTouchesIsClosed) {
+    run("paper", with({"boundary.bottom.contact.gap=0.0", "initial.displacement=[0.0, 0.0]"}));
+    const std::string contact = content(folder / "fields/contact_000000.vtu");
+    const auto gap = read_array<double>(contact, "gap", "Float64", 1);
+    ASSERT_EQ(gap, std::vector<double>(8, 0.0));
+    for (const std::int32_t state : read_array<std::int32_t>(contact, "state", "Int32", 1)) {
+        EXPECT_NE(state, 0);
+    }
+}
+
 /// Quadratic triangles in VTK's order: the midpoints follow the edges 01, 12, 20.
 TEST_F(ResultFiles, QuadraticCellsAreInVtkOrder) {
     run("paper", with({"space.degree=2"}));
@@ -371,8 +382,17 @@ TEST_F(ResultFiles, SummaryKeys) {
     }
     EXPECT_EQ(summary["final"]["contact"]["bottom"]["normal_force"].get<double>(),
               simulation->contact_measures().at("bottom").normal_force);
-    EXPECT_EQ(summary["newton"]["iterations"], simulation->totals().iterations);
-    EXPECT_EQ(summary["audit"]["energy"].get<double>(), simulation->totals().energy_residual);
+    const double tangential = simulation->contact_measures().at("bottom").tangential_force;
+    EXPECT_GT(tangential, 0.0);
+    EXPECT_EQ(summary["final"]["contact"]["bottom"]["tangential_force"].get<double>(), tangential);
+    const march::Totals& totals = simulation->totals();
+    ASSERT_NE(totals.iterations, totals.retries);
+    EXPECT_EQ(summary["newton"]["iterations"], totals.iterations);
+    EXPECT_EQ(summary["newton"]["retries"], totals.retries);
+    ASSERT_NE(totals.heat_residual, totals.force_residual);
+    EXPECT_EQ(summary["audit"]["energy"].get<double>(), totals.energy_residual);
+    EXPECT_EQ(summary["audit"]["heat"].get<double>(), totals.heat_residual);
+    EXPECT_EQ(summary["audit"]["force"].get<double>(), totals.force_residual);
 }
 
 TEST_F(ResultFiles, SummaryWithoutContactAndWithoutMechanics) {

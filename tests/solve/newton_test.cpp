@@ -209,6 +209,31 @@ TEST(Newton, RecoversAfterAFailure) {
     EXPECT_LE((x - vector({0.5, 1})).norm(), 1e-14);
 }
 
+/// One pivot that vanishes is enough.
+TEST(Newton, SingularInOneUnknown) {
+    Componentwise F([](double x) { return x; }, [](double x) { return x == 0 ? -1.0 : 1.0; });
+    Eigen::VectorXd x = vector({3, 0});
+    EXPECT_EQ(Newton(options).solve(identity(2), vector({1, 2}), F, x).end, NewtonEnd::singular);
+}
+
+/// What a solve that failed has factored does not serve the next one: that goes the way of a new object, to
+/// the last bit.
+TEST(Newton, AFailureLeavesNothingBehind) {
+    Componentwise cubic([](double x) { return x * x * x; }, [](double x) { return 3 * x * x; });
+    const NewtonOptions few{1e-12, 12};
+    Newton used(few), fresh(few);
+    const Eigen::VectorXd s = vector({1.1, -2, 3, 0.6});
+    Eigen::VectorXd far = Eigen::VectorXd::Constant(4, 1e6), a = vector({1, 1, 1, 1}), b = a;
+    ASSERT_EQ(used.solve(stiffness(), s, cubic, far).end, NewtonEnd::too_many_iterations);
+    EXPECT_FALSE(used.kept_derivative(stiffness()));
+    const NewtonResult after = used.solve(stiffness(), s, cubic, a),
+                       expected = fresh.solve(stiffness(), s, cubic, b);
+    EXPECT_EQ(expected.end, NewtonEnd::converged);
+    EXPECT_EQ(after.end, expected.end);
+    EXPECT_EQ(after.iterations, expected.iterations);
+    EXPECT_EQ(a, b);
+}
+
 /// Armijo: the norm must fall by a share of what a straight line would make it fall.
 TEST(LineSearch, AsksForADecreaseInProportionToTheLength) {
     const auto result_of = [](double share) {  // the residual falls by that share of the length

@@ -293,5 +293,15 @@ TEST(RigidMotions, InSpace) {
     EXPECT_TRUE(hold({8}));
 }
 
+/// Two points that are held leave the rotation about the line through them, which no axis shows.
+TEST(RigidMotions, AboutADiagonal) {
+    fem::Space space;
+    space.nodes = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}};
+    std::vector<char> fixed{1, 1, 1, 1, 1, 1, 0, 0, 0};
+    EXPECT_FALSE(held_rigidly(space, fixed, 3));
+    fixed[7] = 1;
+    EXPECT_TRUE(held_rigidly(space, fixed, 3));
+}
+
 }  // namespace
 }  // namespace thermocontact::theory

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/scenes.h"
+#include "theory/law_bounds.h"
 #include "theory/tensor_bounds.h"
 
 namespace thermocontact::theory {
@@ -214,6 +215,15 @@ TEST(Samples, RangesOverNodesAndTimes) {
     EXPECT_DOUBLE_EQ(samples.traction.magnitude(), 1.4);
     EXPECT_FALSE(samples.heat_flux.present());
     EXPECT_EQ(samples.heat_flux.magnitude(), 0);
+}
+
+/// The conductance rises from zero to its coefficient over the onset.
+TEST(LawBounds, OfLinearLaws) {
+    const LawBounds bounds = bounds_of_laws(scene::read(covered));
+    EXPECT_DOUBLE_EQ(bounds.L_nu, 0.05);
+    EXPECT_DOUBLE_EQ(bounds.L_tau, 0.2 * 0.05);
+    EXPECT_DOUBLE_EQ(bounds.M_kc, 0.5);
+    EXPECT_DOUBLE_EQ(bounds.L_kc, 0.5 / 1e-3);
 }
 
 /// Isotropic tensors: 2 mu once for each deviatoric direction, 2 mu + d lambda for the volume.

@@ -23,7 +23,7 @@ MUTATIONS = (
         "condensed-order",
         "src/solve/condensed_system.cpp",
         "dofs_.push_back(free.dofs[static_cast<std::size_t>(i)]);",
-        "dofs_.push_back(free.dofs[dofs_.size()]);",
+        "dofs_.push_back(free.dofs[dofs_.size() + 0 * static_cast<std::size_t>(i)]);",
         "index",
         "unknowns in the order of the factor",
     ),

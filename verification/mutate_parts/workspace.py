@@ -55,6 +55,7 @@ def mirror(source: Path, target: Path) -> None:
         if entry.is_dir():
             mirror(Path(entry.path), copy)
         elif not copy.exists() or stamp(copy) != stamp(Path(entry.path)):
+            copy.unlink(missing_ok=True)  # a program that still runs cannot be written to
             shutil.copy2(entry.path, copy)
 
 

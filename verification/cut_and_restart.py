@@ -76,8 +76,8 @@ class Study:
 
     def cut(self, way: str, step: int, **settings: Any) -> Path:
         """The checkpoint of a run that ends early."""
-        short = {"time__end": self.end * step / self.steps, "time__steps": step}
-        return self.run(f"cut-{way}-{step}-{len(settings)}", way, **short, **settings) / CHECKPOINT
+        short: dict[str, Any] = {"time__end": self.end * step / self.steps, "time__steps": step}
+        return self.run(f"cut-{way}-{step}-{len(settings)}", way, **short | settings) / CHECKPOINT
 
     def fields(self, folder: Path) -> Any:
         """The final fields as one process writes them, whoever computed them."""
@@ -111,7 +111,9 @@ class Study:
         folder = self.cut("1", step).parent
         self.program.run(folder, folder / CHECKPOINT, **WAYS["1"])
         check_same_files(whole, folder)
-        self.report(f"cut at step {step}, gone on with in the same folder", history_distance(whole, folder), ROUND_OFF)
+        self.report(
+            f"cut at step {step}, gone on with in the same folder", history_distance(whole, folder), ROUND_OFF
+        )
 
     def check_sensitivity(self, step: int, whole: Path) -> None:
         """A thousandth more friction before the cut must be seen after it."""
@@ -137,7 +139,9 @@ def main() -> int:
             print(f"slip share up to {history(wholes['1'])['slip_fraction'].max():.2f}")
             print(f"{'':<58} {'difference':>9} {'allowed':>8}")
             for way in list(WAYS)[1:]:
-                study.report(f"not cut: on {way} against 1", study.distance(wholes["1"], wholes[way]), TOLERANCE)
+                study.report(
+                    f"not cut: on {way} against 1", study.distance(wholes["1"], wholes[way]), TOLERANCE
+                )
             for step in arguments.cuts:
                 study.check(step, wholes)
                 study.check_same_folder(step, wholes["1"])

@@ -20,7 +20,16 @@ import tempfile
 import time
 from pathlib import Path
 
-from restart_parts.runs import CHECKPOINT, PATIENCE, Program, RunFailed, drivers_below, kill, wait_for_checkpoint, wait_for_rows
+from restart_parts.runs import (
+    CHECKPOINT,
+    PATIENCE,
+    Program,
+    RunFailed,
+    drivers_below,
+    kill,
+    wait_for_checkpoint,
+    wait_for_rows,
+)
 from restart_parts.same import Differs, check_same_files, history_distance
 
 HERE = Path(__file__).resolve().parent
@@ -108,7 +117,9 @@ class Trials:
         if summary["status"] != "interrupted":
             raise Differs(f"{number.name}: status {summary['status']}")
         worst = self.finish(folder)
-        print(f"{number.name}: exit {process.returncode} after step {summary['steps']}, gone on with to the end")
+        print(
+            f"{number.name}: exit {process.returncode} after step {summary['steps']}, gone on with to the end"
+        )
         return worst
 
 

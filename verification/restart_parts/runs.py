@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from under_test import patience
+
 CHECKPOINT = "checkpoint.h5"
 MPI = {
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
@@ -17,7 +19,7 @@ MPI = {
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
     "OMP_NUM_THREADS": "1",
 }
-PATIENCE = 300.0  # s that any run may take
+PATIENCE = patience(300.0)  # s that any run may take
 
 
 class RunFailed(Exception):
@@ -58,9 +60,7 @@ class Program:
         process = self.start(output, restart, processes, **settings)
         _, errors = process.communicate(timeout=PATIENCE)
         if process.returncode != 0:
-            raise RunFailed(
-                f"{' '.join(map(str, process.args))}: exit {process.returncode}: {errors.strip()}"
-            )
+            raise RunFailed(f"{output.name}: exit {process.returncode}: {errors.strip()}")
         summary: dict[str, Any] = json.loads((output / "summary.json").read_text(encoding="utf-8"))
         if summary["status"] != "completed":
             raise RunFailed(f"{output}: {summary['status']}")

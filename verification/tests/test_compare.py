@@ -73,7 +73,7 @@ def into_pieces(directory: Path, step: int, part: int, change: PieceChange | Non
     """Replaces a grid by a PVTU of three pieces: the cells one by one, and a process without any."""
     collection = directory / "fields.pvd"
     grid = grids()[step, part]
-    pieces = []
+    pieces: list[vtu.Grid] = []
     for cells in (grid.cells[:1], grid.cells[1:], grid.cells[:0]):
         nodes, local = np.unique(cells, return_inverse=True)
         rows = slice(0, 1) if len(pieces) == 0 else slice(1, 2) if len(pieces) == 1 else slice(0, 0)
@@ -236,13 +236,13 @@ class CompareTest(unittest.TestCase):
 
     def test_a_value_in_one_piece(self) -> None:
         def change(pieces: list[vtu.Grid]) -> None:
-            pieces[1].point_data["temperature"][1] += 1e-7  # type: ignore[index]  # of the point at (2, 0)
+            pieces[1].point_data["temperature"][1] += 1e-7  # of the point at (2, 0)
 
         self.assertEqual(self.code_of_pieces(0, change), 1)
 
     def test_a_seam_that_does_not_fit(self) -> None:
         def change(pieces: list[vtu.Grid]) -> None:
-            pieces[1].point_data["temperature"][0] += 1e-14  # type: ignore[index]  # of the shared (1, 0)
+            pieces[1].point_data["temperature"][0] += 1e-14  # of the shared (1, 0)
 
         self.assertEqual(self.code_of_pieces(0, change), 2)
         self.assertIn("temperature at [1.0, 0.0, 0.0] is not the same in all pieces", self.output.getvalue())

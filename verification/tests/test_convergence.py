@@ -11,12 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarking.process import ROOT, RunFailed
+from benchmarking.process import RunFailed
 from convergence_parts import errors, lattice, runs, study
 from convergence_parts.lattice import Array
 from oracle_parts import vtu
-
-DRIVER = ROOT / "build" / "thermocontact"
+from under_test import DRIVER, ROOT
 
 
 def vertices(cells: int) -> tuple[Array, Array]:

@@ -1,10 +1,9 @@
 """figures.py draws bodies in the plane and in space, of every cell and degree, from one process or several.
 
-Run from verification/: python3 -m unittest tests.test_figures (THERMOCONTACT names the driver)
+Run from verification/: python3 -m unittest tests.test_figures (THERMOCONTACT_DRIVER names the driver)
 """
 
 import contextlib
-import os
 import subprocess
 import tempfile
 import unittest
@@ -15,9 +14,9 @@ import numpy as np
 import figures
 from plotting import surface
 from plotting.results import Results
+from under_test import DRIVER, patience
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
-DRIVER = os.environ.get("THERMOCONTACT", str(SCENES.parent / "build" / "thermocontact"))
 BODY = {"deformed.png", "temperature.png", "von-mises.png", "contact-history.png"}
 
 
@@ -30,9 +29,17 @@ class Figures(unittest.TestCase):
     def run_scene(self, name: str, *settings: str, processes: int = 1) -> Path:
         results = self.folder / f"{name}-{len(list(self.folder.iterdir()))}"
         words = [word for setting in ("time.steps=1", *settings) for word in ("--set", setting)]
-        program = [DRIVER, "run", str(SCENES / f"{name}.toml"), "--quiet", "--output", str(results), *words]
+        program: list[str | Path] = [
+            DRIVER,
+            "run",
+            SCENES / f"{name}.toml",
+            "--quiet",
+            "--output",
+            results,
+            *words,
+        ]
         start = [] if processes == 1 else ["mpirun", "-n", str(processes)]
-        subprocess.run([*start, *program], check=True, timeout=120)
+        subprocess.run([*start, *program], check=True, timeout=patience(120))
         return results
 
     def draw(self, *folders: Path) -> set[str]:

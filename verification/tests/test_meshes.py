@@ -1,10 +1,9 @@
 """The meshes of the scenes: made again from their geometry, read from every format of Gmsh, refused where damaged.
 
-Run from verification/: python3 -m unittest tests.test_meshes (THERMOCONTACT names the driver)
+Run from verification/: python3 -m unittest tests.test_meshes (THERMOCONTACT_DRIVER names the driver)
 """
 
 import contextlib
-import os
 import runpy
 import subprocess
 import tempfile
@@ -17,9 +16,9 @@ from typing import Any
 import gmsh
 
 import compare
+from under_test import DRIVER, patience
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
-DRIVER = os.environ.get("THERMOCONTACT", str(SCENES.parent / "build" / "thermocontact"))
 MAKE = runpy.run_path(str(SCENES / "meshes" / "make.py"))
 MADE_WITH = "4.8.4"
 FORMATS = [(version, binary) for version in (2.2, 4.1) for binary in (0, 1)]
@@ -58,8 +57,16 @@ class Meshes(unittest.TestCase):
     def run_scene(self, name: str, mesh: Path, results: Path) -> "subprocess.CompletedProcess[str]":
         settings = [f'mesh.file="{mesh}"', "time.steps=1"]
         words = [word for setting in settings for word in ("--set", setting)]
-        command = [DRIVER, "run", str(SCENES / f"{name}.toml"), "--quiet", "--output", str(results), *words]
-        return subprocess.run(command, capture_output=True, text=True, timeout=120)
+        command: list[str | Path] = [
+            DRIVER,
+            "run",
+            SCENES / f"{name}.toml",
+            "--quiet",
+            "--output",
+            results,
+            *words,
+        ]
+        return subprocess.run(command, capture_output=True, text=True, timeout=patience(120))
 
     def written(self, mesh: Path, version: float, binary: int) -> Path:
         path = self.folder / f"{mesh.stem}-{version}-{binary}.msh"

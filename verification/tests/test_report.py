@@ -1,12 +1,11 @@
 """The report: its page stands alone, its verdicts can fail, and kept results are taken only for what they are.
 
-Run from verification/: python3 -m unittest tests.test_report. With THERMOCONTACT_DRIVER, the path of the driver, a
-small page is built and checked.
+Run from verification/: python3 -m unittest tests.test_report. Where the driver (THERMOCONTACT_DRIVER names it) and
+the program of the manufactured solutions are built, a small page is built and checked.
 """
 
 import base64
 import dataclasses
-import os
 import re
 import tempfile
 import unittest
@@ -30,6 +29,7 @@ from report_parts.page import Answer, page
 from report_parts.section import Command, Findings, Kept, Section
 from report_parts.self_contained import problems
 from report_parts.sections import SECTIONS
+from under_test import DRIVER
 
 PIXEL = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
@@ -190,11 +190,11 @@ class VerdictTest(unittest.TestCase):
             self.assertEqual(error_curve.read(self.folder, []).passes, passes)
 
 
-@unittest.skipUnless("THERMOCONTACT_DRIVER" in os.environ, "no driver named")
+@unittest.skipUnless(DRIVER.with_name("manufactured").is_file(), "not built")
 class SmallPageTest(unittest.TestCase):
     def test_small_page(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
-            options = ["--small", "--output", folder, "--driver", os.environ["THERMOCONTACT_DRIVER"]]
+            options = ["--small", "--output", folder, "--driver", str(DRIVER)]
             self.assertEqual(report.main(options), 0)
             text = Path(folder, "report.html").read_text(encoding="utf-8")
             self.assertEqual(problems(text), [])

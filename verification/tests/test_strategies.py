@@ -1,7 +1,6 @@
 """Strategy newton-krylov at size, and what the summary says of time and memory. THERMOCONTACT_DRIVER: the program."""
 
 import json
-import os
 import re
 import subprocess
 import tempfile
@@ -9,8 +8,8 @@ import unittest
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parents[2]
-DRIVER = Path(os.environ.get("THERMOCONTACT_DRIVER", ROOT / "build" / "thermocontact"))
+from under_test import DRIVER, ROOT
+
 ITERATIONS = re.compile(r"(momentum|heat)_ solve converged due to \S+ iterations (\d+)")
 
 

@@ -24,6 +24,7 @@ std::string sudden(const std::string& tolerance, const std::string& scheme) {
            "material = {density = 1, elasticity = {young = 5, poisson = 0.2}, viscosity = {trace = 1, shear "
            "= 1}}\n"
            "heat = {capacity = 1, conductivity = 1, thermal_stress = 0.2, strain_heating = 0.2}\n"
+           "load.body_force = [\"0.1*sin(3*t)\", 0]\n"
            "boundary.top = {displacement = [0, 0], temperature = 0}\n"
            "boundary.bottom = {heat_flux = 1, traction = [0, \"t > 1 ? 1 : 0\"]}\n";
 }
@@ -40,7 +41,12 @@ struct Course {
     State state;
     Totals totals;
     std::vector<Attempt> attempts;
+    double substeps = 0;  ///< of the history
 };
+
+double value(const Record& row, const std::string& name) {
+    return std::ranges::find(row, name, &Record::value_type::first)->second;
+}
 
 Course march(const scene::Scene& scene) {
     Simulation simulation(scene);
@@ -48,6 +54,7 @@ Course march(const scene::Scene& scene) {
     while (!simulation.finished()) {
         simulation.advance();
         EXPECT_EQ(simulation.state().time, scene.time.end * simulation.state().step / scene.time.steps);
+        course.substeps += value(simulation.record(), "substeps");
         course.attempts.insert(course.attempts.end(), simulation.attempts().begin(),
                                simulation.attempts().end());
     }
@@ -69,8 +76,14 @@ class Adaptive : public testing::TestWithParam<std::string> {};
 
 TEST_P(Adaptive, StepsAreShortAfterSuddenLoadsAndLongElsewhere) {
     const Course course = march(scene::read(sudden("1e-2", GetParam())));
-    double reached = 0, before_jump = 0, after_jump = 1;
+    double reached = 0, before_jump = 0, after_jump = 1, size = 1;
+    int of_this_size = 0;
     for (const Attempt& attempt : course.attempts) {
+        if (attempt.size > size) {
+            EXPECT_GE(of_this_size, StepControl::patience) << "before it is lengthened";
+        }
+        of_this_size = !is_taken(attempt) ? 0 : attempt.size == size ? of_this_size + 1 : 1;
+        size = attempt.size;
         EXPECT_NEAR(attempt.end - attempt.size, reached, 1e-14) << "each begins where the last one ended";
         reached = is_taken(attempt) ? attempt.end : reached;
         if (is_taken(attempt) && attempt.end <= 1) {
@@ -88,6 +101,7 @@ TEST_P(Adaptive, StepsAreShortAfterSuddenLoadsAndLongElsewhere) {
     EXPECT_GE(before_jump, 8 * after_jump);
     EXPECT_GT(course.totals.rejected, 0) << "nothing was rejected: the case tests little";
     EXPECT_EQ(course.totals.accepted, std::ranges::count_if(course.attempts, is_taken));
+    EXPECT_EQ(course.totals.accepted, course.substeps);
     EXPECT_EQ(course.totals.accepted + course.totals.rejected + 1, std::ssize(course.attempts));
     // rejected steps leave no trace in the balances
     EXPECT_LE(course.totals.energy_residual, 1e-11);
@@ -124,7 +138,7 @@ TEST_P(Adaptive, StepsAreShortInAnImpact) {
         }
         const Record row = simulation.record();
         shortest.push_back(smallest);
-        closed.push_back(std::ranges::find(row, "contact_fraction", &Record::value_type::first)->second);
+        closed.push_back(value(row, "contact_fraction"));
     }
     ASSERT_EQ(closed.size(), 4U);
     const auto met = std::ranges::find_if(closed, [](double fraction) { return fraction > 0; });

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "march/step_control.h"
 
@@ -92,6 +93,27 @@ TEST(ErrorEstimate, IsExactForParabolasOnUnequalSteps) {
         t += k;
     }
     EXPECT_TRUE(none.empty());
+}
+
+/// Of bdf2 y"' is exact for cubics on equal steps. Where the last two sizes are k and 2k after k, y" holds at
+/// -k/3 and -5k/3 from the step's begin and is taken to hold at -k/4 and -7k/4: 8/9 of y"'.
+TEST(ErrorEstimate, OfCubicsOnUnequalSteps) {
+    const Scheme scheme(time_of(0.0));
+    const auto y = [](double t) { return std::vector<double>{t * t * t}; };
+    for (const auto& [sizes, share] : std::map<std::vector<double>, double>{
+             {{0.1, 0.1, 0.1, 0.1}, 1.0}, {{0.1, 0.1, 0.2, 0.1}, 8.0 / 9}}) {
+        std::vector<double> q, curvature, estimate;
+        double t = 1, last = 0, lag = 0;
+        for (const double k : sizes) {
+            const StepRule rule = scheme.rule(t, t + k, k, last);
+            estimate = error_estimate(rule, lag, y(t), y(t + k), q, curvature);
+            renew_rates(scheme, rule, y(t), y(t + k), q, curvature);
+            lag = curvature_lag(scheme, rule);
+            last = k;
+            t += k;
+        }
+        EXPECT_NEAR(estimate.at(0), share * 2.0 / 9 * 1e-3 * 6, 1e-14);
+    }
 }
 
 TEST(StepControl, GoesDownByAsManyRungsAsItTakes) {

@@ -54,13 +54,12 @@ MUTATIONS = (
         "a rejected step leaves the state alone",
     ),
     Mutation(
-        "adaptive-audit-rejected",
+        "adaptive-count-rejected",
         STEPS,
         "            state_.since_change = std::min(state_.since_change, 0);",
-        "            state_.since_change = std::min(state_.since_change, 0);\n"
-        "            counts.parts += 1;\n            if (heat_) {\n                heat_->drop_audit();\n            }",
+        "            state_.since_change = std::min(state_.since_change, 0);\n            counts.parts += 1;",
         "state",
-        "a rejected step leaves the audit alone",
+        "only steps that are taken count as such",
     ),
     Mutation(
         "adaptive-scale",

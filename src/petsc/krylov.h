@@ -33,6 +33,7 @@ class KrylovProblem final : public solve::StepProblem {
     Residual residual(solve::NonlinearTerm& F, Vec x);
     void update_tangent(solve::NonlinearTerm& F);
     bool solve_linear(double tolerance);
+    void polish(solve::NonlinearTerm& F, Residual& current);
     double round_off(Vec x);
     void renew_hierarchy();
     void free_only(std::vector<double>& local) const;

@@ -52,7 +52,7 @@ inline std::vector<double> random_numbers(std::size_t count, unsigned seed = 1) 
     std::mt19937 engine(seed);
     std::vector<double> result(count);
     for (double& value : result) {
-        value = 2.0 * engine() / 4294967296.0 - 1.0;
+        value = 2.0 * static_cast<double>(engine()) / 4294967296.0 - 1.0;
     }
     return result;
 }

@@ -156,7 +156,7 @@ def scaling(driver: Sequence[str], repeat: int, largest: int, processes: Sequenc
 def multigrid(
     driver: Sequence[str], repeat: int, largest: int, processes: Sequence[int]
 ) -> list[dict[str, Any]]:
-    body, rows = Body("box", largest, 4), []
+    body, rows = Body("box", largest, 10), []
     for count in processes:
         ours, theirs = [], []
         run(process.oracle_command(), Body("box", 2, 1), 1, ["--solver", "amg"], [])  # compiles the forms

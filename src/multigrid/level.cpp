@@ -40,7 +40,7 @@ double largest_of_tridiagonal(std::vector<double>& diagonal, std::vector<double>
 }  // namespace
 
 Level::Level(Matrix matrix, SharedNodes nodes) : matrix_(std::move(matrix)), nodes_(std::move(nodes)) {
-    for (std::vector<float>* vector : {&x, &b, &residual, &direction_, &product_}) {
+    for (std::vector<float>* vector : {&x, &b, &residual, &direction_}) {
         vector->assign(static_cast<std::size_t>(matrix_.node_count()) * stride(), 0.0F);
     }
     largest_ = largest_eigenvalue();
@@ -50,8 +50,10 @@ std::size_t Level::stride() const {
     return static_cast<std::size_t>(lanes(matrix_.size));
 }
 
-void Level::multiply(const std::vector<float>& from, std::vector<float>& to) {
-    matrix_.multiply(from, to);
+/// Of what the processes hold at a shared node, the owner's vector and each one's part of the product add up.
+void Level::subtract_product(const std::vector<float>& from, std::vector<float>& to) {
+    nodes_.keep_owned(to, stride());
+    matrix_.subtract_product(from, to);
     nodes_.add_up(to, stride());
 }
 
@@ -64,18 +66,20 @@ double Level::largest_eigenvalue() {
         }
     }
     direction_ = residual;
+    std::vector<float>& product = x;  // with a minus
     double square = nodes_.dot(residual, residual, stride()), ratio = 0, length = 1;
     std::vector<double> diagonal, beside;
     for (int step = 0; step < lanczos_steps && square > 0; ++step) {
-        multiply(direction_, product_);
-        const double energy = nodes_.dot(direction_, product_, stride());
+        std::ranges::fill(product, 0.0F);
+        subtract_product(direction_, product);
+        const double energy = -nodes_.dot(direction_, product, stride());
         if (!(energy > 0)) {
             break;
         }
         diagonal.push_back(energy / square + ratio / length);
         length = square / energy;
         for (std::size_t k = 0; k < residual.size(); ++k) {
-            residual[k] -= static_cast<float>(length) * product_[k];
+            residual[k] += static_cast<float>(length) * product[k];
         }
         const double next = nodes_.dot(residual, residual, stride());
         ratio = next / square;
@@ -103,10 +107,7 @@ void Level::run_polynomial(Residual wanted) {
         if (k + 1 == degree && wanted == Residual::not_at_end) {
             return;
         }
-        multiply(direction_, product_);
-        for (std::size_t at = 0; at < x.size(); ++at) {
-            residual[at] -= product_[at];
-        }
+        subtract_product(direction_, residual);
         const double next = 1 / (2 * sigma - rho);
         old = static_cast<float>(next * rho);
         fresh = static_cast<float>(2 * next / half);
@@ -121,10 +122,8 @@ void Level::smooth_from_zero() {
 }
 
 void Level::smooth() {
-    multiply(x, product_);
-    for (std::size_t at = 0; at < x.size(); ++at) {
-        residual[at] = b[at] - product_[at];
-    }
+    residual = b;
+    subtract_product(x, residual);
     run_polynomial(Residual::not_at_end);
 }
 

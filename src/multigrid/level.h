@@ -33,13 +33,13 @@ class Level {
     enum class Residual { at_end, not_at_end };
 
     std::size_t stride() const;
-    void multiply(const std::vector<float>& from, std::vector<float>& to);
+    void subtract_product(const std::vector<float>& from, std::vector<float>& to);
     void run_polynomial(Residual wanted);
     double largest_eigenvalue();
 
     Matrix matrix_;
     SharedNodes nodes_;
-    std::vector<float> direction_, product_;
+    std::vector<float> direction_;
     double largest_ = 1;
 };
 

@@ -9,20 +9,20 @@ namespace thermocontact::multigrid {
 namespace {
 
 template <int size>
-void multiply_blocks(const Matrix& A, const float* x, float* y) {
+void subtract_blocks(const Matrix& A, const float* x, float* y) {
     constexpr std::ptrdiff_t stride = lanes(size), length = stride * size;
     const std::int32_t* column = A.columns.data();
     const float* block = A.values.data();
     for (std::ptrdiff_t i = 0; i < A.node_count(); ++i) {
         const std::int32_t* end = A.columns.data() + A.offsets[static_cast<std::size_t>(i) + 1];
-        const Column<size> here = ConstColumnMap<size>(x + i * stride);
+        const Column<size> here = -ConstColumnMap<size>(x + i * stride);
         Column<size> sum = product<size, size>(block, x + i * stride);
         for (++column, block += length; column < end; ++column, block += length) {
             const std::ptrdiff_t j = *column * stride;
             sum += product<size, size>(block, x + j);
             add_transposed_product<size, size>(block, here, y + j);
         }
-        ColumnMap<size>(y + i * stride) += sum;
+        ColumnMap<size>(y + i * stride) -= sum;
     }
 }
 
@@ -42,9 +42,8 @@ std::size_t Matrix::pair(std::int32_t i, std::int32_t j) const {
     return static_cast<std::size_t>(found - columns.begin());
 }
 
-void Matrix::multiply(const std::vector<float>& x, std::vector<float>& y) const {
-    std::ranges::fill(y, 0.0F);
-    with_size(size, [&]<int n>() { multiply_blocks<n>(*this, x.data(), y.data()); });
+void Matrix::subtract_product(const std::vector<float>& x, std::vector<float>& y) const {
+    with_size(size, [&]<int n>() { subtract_blocks<n>(*this, x.data(), y.data()); });
 }
 
 }  // namespace thermocontact::multigrid

@@ -21,8 +21,8 @@ struct Matrix {
     /// Where the block of nodes i <= j stands. Throws std::logic_error if they do not couple.
     std::size_t pair(std::int32_t i, std::int32_t j) const;
 
-    /// y = A x of this part; padded nodal vectors.
-    void multiply(const std::vector<float>& x, std::vector<float>& y) const;
+    /// y -= A x of this part; padded nodal vectors.
+    void subtract_product(const std::vector<float>& x, std::vector<float>& y) const;
 };
 
 }  // namespace thermocontact::multigrid

@@ -157,6 +157,14 @@ void SharedNodes::add_up(std::vector<T>& values, std::size_t stride) const {
 template void SharedNodes::add_up(std::vector<float>&, std::size_t) const;
 template void SharedNodes::add_up(std::vector<double>&, std::size_t) const;
 
+void SharedNodes::keep_owned(std::vector<float>& values, std::size_t stride) const {
+    for (const Neighbour& neighbour : neighbours_) {
+        for (const std::int32_t node : neighbour.theirs) {
+            std::fill_n(values.begin() + node * static_cast<std::ptrdiff_t>(stride), stride, 0.0F);
+        }
+    }
+}
+
 void SharedNodes::add_up(Rows& rows) const {
     if (team_->size() == 1) {
         return;

@@ -39,6 +39,9 @@ class SharedNodes {
     /// The same of rows, one for each node.
     void add_up(Rows& rows) const;
 
+    /// Zero at nodes that another process owns.
+    void keep_owned(std::vector<float>& values, std::size_t stride) const;
+
     /// Over all processes, each node counted once.
     double dot(const std::vector<float>& a, const std::vector<float>& b, std::size_t stride) const;
 

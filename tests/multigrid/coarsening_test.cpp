@@ -21,10 +21,10 @@ Eigen::MatrixXd dense(const Matrix& A) {
         std::vector<float> x(static_cast<std::size_t>(A.node_count()) * stride, 0.0F), y(x.size());
         x[static_cast<std::size_t>(column / A.size) * stride + static_cast<std::size_t>(column % A.size)] =
             1.0F;
-        A.multiply(x, y);
+        A.subtract_product(x, y);
         for (Eigen::Index row = 0; row < n; ++row) {
             result(row, column) =
-                y[static_cast<std::size_t>(row / A.size) * stride + static_cast<std::size_t>(row % A.size)];
+                -y[static_cast<std::size_t>(row / A.size) * stride + static_cast<std::size_t>(row % A.size)];
         }
     }
     return result;

@@ -54,9 +54,9 @@ MUTATIONS = (
     Mutation(
         "level-residual",
         "src/multigrid/level.cpp",
-        "residual[at] -= product_[at];",
-        "residual[at] += product_[at];",
-        "sign",
+        "subtract_product(direction_, residual);",
+        "",
+        "missing",
         "the residual after a step of Chebyshev's polynomial",
     ),
     Mutation(

@@ -33,6 +33,8 @@ SCENE = ROOT / "scenes" / "paper-isotropic.toml"
 SMALL = ("--quiet", "--set", "mesh.cells=[4,4]", "--set", "time.steps=4")
 COMPLETED, SYSTEM_FAILED, BAD_INPUT, NUMERICS_FAILED = 0, 1, 2, 3
 
+NONLINEAR = ("--set", "boundary.bottom.contact.compliance.exponent=2")
+
 # A load that is not finite from the third of four steps on, and a body that nothing holds
 BREAKS = ("--set", 'load.body_force=["0", "t < 0.6 ? -1 : 1/(t - t)"]')
 LOOSE = """mesh.cells = [2, 2]
@@ -164,12 +166,21 @@ class ExitCodes(unittest.TestCase):
         self.assertTrue(all(np.isfinite(history[name]).all() for name in history.dtype.names or ()))
 
     def test_newton_failed(self) -> None:
-        words = ("--set", "solver.max_iterations=1", "--set", "boundary.bottom.contact.compliance.exponent=2")
-        message = self.run_small(NUMERICS_FAILED, *words)
+        message = self.run_small(NUMERICS_FAILED, *NONLINEAR, "--set", "solver.max_iterations=1")
         self.assert_says(
             message, "step 1", "momentum balance", "Newton", "time.steps", "solver.max_iterations"
         )
         self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("failed", 0))
+
+    def test_goes_on_after_numerics_failed(self) -> None:
+        """A run that failed goes on from its checkpoint, with settings that let it, like one that never failed."""
+        self.run_small(COMPLETED, *NONLINEAR)
+        unbroken = self.summary()["final"]
+        self.run_small(NUMERICS_FAILED, *NONLINEAR, "--set", "solver.max_iterations=1")
+        message = self.run_small(COMPLETED, *NONLINEAR, "--restart", str(self.results / "checkpoint.h5"))
+        self.assertEqual(message, "")
+        self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("completed", 4))
+        self.assertEqual(self.summary()["final"], unbroken)
 
     def test_singular_system(self) -> None:
         """It also takes away what an earlier run left, which would stand beside the word `failed`."""

@@ -12,7 +12,7 @@
 
 namespace thermocontact::multigrid {
 
-/// Dense pieces on some dofs each, row-major; they add up.
+/// Dense pieces on some dofs each, none of them fixed, row-major; they add up.
 struct Pieces {
     std::vector<std::int32_t> sizes, dofs;
     std::vector<double> values;

@@ -4,8 +4,8 @@
 
 #include "multigrid/aggregation.h"
 #include "multigrid/blocks.h"
+#include "multigrid/coarse_scaling.h"
 #include "multigrid/galerkin.h"
-#include "multigrid/scaling.h"
 
 namespace thermocontact::multigrid {
 namespace {
@@ -27,48 +27,6 @@ std::vector<char> movable(const NearNullSpace& motions, std::size_t nodes) {
         result[node] = std::any_of(first, first + length, [](double value) { return value != 0; }) ? 1 : 0;
     }
     return result;
-}
-
-/// Blocks of the diagonal, added up; 1 for motions that an aggregate lacks, which have no stiffness and never
-/// move.
-std::vector<double> coarse_diagonal(const Matrix& A, const NearNullSpace& motions, const SharedNodes& nodes) {
-    const auto n = static_cast<std::size_t>(A.size), stride = static_cast<std::size_t>(lanes(A.size));
-    std::vector<double> result(nodes.node_count() * n * n);
-    for (std::size_t node = 0; node < nodes.node_count(); ++node) {
-        const float* block = A.block(static_cast<std::size_t>(A.offsets[node]));
-        for (std::size_t r = 0; r < n; ++r) {
-            for (std::size_t c = 0; c < n; ++c) {
-                result[(node * n + r) * n + c] = block[c * stride + r];
-            }
-            const bool lacking = nodes.owned(node) && motions.values[(node * n + r) * n + r] == 0;
-            result[(node * n + r) * n + r] += lacking ? 1.0 : 0.0;
-        }
-    }
-    nodes.add_up(result, n * n);
-    return result;
-}
-
-/// Scales the coarse matrix, the prolongation and the motions.
-void scale(Matrix& A, Prolongation& P, NearNullSpace& motions, const SharedNodes& nodes) {
-    const auto n = static_cast<std::size_t>(A.size), stride = static_cast<std::size_t>(lanes(A.size));
-    const std::vector<double> diagonal = coarse_diagonal(A, motions, nodes);
-    const Scaling scaling(A.size, diagonal);
-    std::vector<double> block(n * n);
-    for (std::size_t i = 0; i < nodes.node_count(); ++i) {
-        const auto last = static_cast<std::size_t>(A.offsets[i + 1]);
-        for (auto pair = static_cast<std::size_t>(A.offsets[i]); pair < last; ++pair) {
-            float* values = A.block(pair);
-            for (std::size_t k = 0; k < n * n; ++k) {
-                block[k] = values[k % n * stride + k / n];
-            }
-            scaling.scale(i, static_cast<std::size_t>(A.columns[pair]), block);
-            for (std::size_t k = 0; k < n * n; ++k) {
-                values[k % n * stride + k / n] = static_cast<float>(block[k]);
-            }
-        }
-        scaling.divide_product(i, diagonal.data() + i * n * n, motions.values.data() + i * n * n, A.size);
-    }
-    P.scale(scaling);
 }
 
 /// The motions at all coarse nodes of the process, those of others zero: they aggregate their own.
@@ -95,7 +53,7 @@ Hierarchy::Hierarchy(Matrix fine, SharedNodes nodes, NearNullSpace motions) {
         const SharedNodes shared(std::move(coarse.numbers), level.nodes().team());
         Matrix matrix = galerkin(level.matrix(), coarse.prolongation, count);
         motions = at_all_nodes(std::move(coarse.motions), count);
-        scale(matrix, coarse.prolongation, motions, shared);
+        scale_coarse(matrix, coarse.prolongation, motions, shared);
         level.prolongation = std::move(coarse.prolongation);
         levels_.push_back(std::make_unique<Level>(std::move(matrix), shared));
     }

@@ -8,7 +8,7 @@
 namespace thermocontact::multigrid {
 
 /// A square, or a cube with `dimension` 3, of `cells` a side: isotropic elasticity with some mass, or
-/// conduction with `scalar`; what lies at y = 1 is fixed.
+/// conduction with `scalar`; what lies at y = 1 is fixed, and a vector body rolls at x = 0.
 struct Body {
     support::Discretisation whole;
     parallel::Part part;
@@ -30,8 +30,11 @@ struct Body {
             A.add(1.0, fem::assemble_matrix({std::move(kernel), part.mesh, constants}, part.space, graph,
                                             A.rows, A.rows));
         }
+        const auto rows = static_cast<std::size_t>(A.rows);
         for (std::size_t dof = 0; dof < fixed.size(); ++dof) {
-            fixed[dof] = part.space.nodes[dof / static_cast<std::size_t>(A.rows)][1] == 1.0 ? 1 : 0;
+            const mesh::Point& x = part.space.nodes[dof / rows];
+            const bool rolls = rows > 1 && dof % rows == 0 && x[0] == 0.0;
+            fixed[dof] = x[1] == 1.0 || rolls ? 1 : 0;
         }
     }
 

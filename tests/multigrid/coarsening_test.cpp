@@ -5,6 +5,7 @@
 
 #include "multigrid/blocks.h"
 #include "multigrid/body.h"
+#include "multigrid/coarse_scaling.h"
 #include "multigrid/galerkin.h"
 #include "multigrid/level.h"
 
@@ -107,6 +108,78 @@ TEST_P(Coarsen, ProlongationsCarryTheMotions) {
     const Coarsening coarse = coarsen(at.A, 2.0, at.aggregates, at.motions, at.nodes);
     const Eigen::MatrixXd P = dense(coarse.prolongation, at.aggregates.count);
     EXPECT_LT((P - (Q - 2.0 / 3.0 * dense(at.A) * Q)).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+/// What a motion is on the fine level and what energy it has does not depend on the scaling; diagonal blocks
+/// are 1.
+TEST_P(Coarsen, ScalingKeepsTheMotions) {
+    Coarsening coarse = coarsen(at.A, 2.0, at.aggregates, at.motions, at.nodes);
+    const std::size_t count = coarse.numbers.global.size();
+    Matrix A = galerkin(at.A, coarse.prolongation, count);
+    const SharedNodes nodes(coarse.numbers, alone);
+    const auto on_fine_level = [&] {
+        using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+        const Eigen::MatrixXd P = dense(coarse.prolongation, static_cast<Eigen::Index>(count));
+        const Eigen::Map<const RowMajor> B(coarse.motions.values.data(), P.cols(), coarse.motions.motions);
+        return std::pair<Eigen::MatrixXd, Eigen::MatrixXd>(P * B, B.transpose() * dense(A) * B);
+    };
+    const auto [before, energy] = on_fine_level();
+    scale_coarse(A, coarse.prolongation, coarse.motions, nodes);
+    const auto [after, same_energy] = on_fine_level();
+    EXPECT_LT((after - before).norm(), 1e-4 * before.norm());
+    EXPECT_LT((same_energy - energy).norm(), 1e-4 * energy.norm());
+    const Eigen::VectorXd diagonal = dense(A).diagonal();
+    EXPECT_LT((diagonal.array() - 1).abs().minCoeff(), 1e-4);
+    EXPECT_TRUE(((diagonal.array() - 1).abs() < 1e-4 || diagonal.array().abs() < 1e-4).all());  // or lacking
+}
+
+/// L^-1 (A + (D + D^T) / 2) L^-T of the free dofs, for pieces of D that couple neighbours and are not
+/// symmetric.
+TEST_P(Coarsen, FinestMatrixHoldsContact) {
+    const int size = at.A.size;
+    Pieces D;
+    for (std::int32_t node = 1; node < 3; ++node) {  // a node and the next one that couples with it
+        const std::int32_t other =
+            at.A.columns[static_cast<std::size_t>(at.A.offsets[static_cast<std::size_t>(node)]) + 1];
+        for (const std::int32_t place : {node, other}) {
+            for (int c = 0; c < size; ++c) {
+                D.dofs.push_back(place * size + c);
+            }
+        }
+        D.sizes.push_back(2 * size);
+    }
+    D.values = support::random_numbers(static_cast<std::size_t>(2 * 4 * size * size), 5);
+    Eigen::MatrixXd expected = support::dense(at.body.A);
+    const std::int32_t* dofs = D.dofs.data();
+    const double* value = D.values.data();
+    for (const std::int32_t n : D.sizes) {
+        for (int r = 0; r < n; ++r) {
+            for (int c = 0; c < n; ++c, ++value) {
+                expected(dofs[r], dofs[c]) += *value / 2;
+                expected(dofs[c], dofs[r]) += *value / 2;
+            }
+        }
+        dofs += n;
+    }
+    const Scaling scaling(size, fine_diagonal(at.body.A, D, at.body.fixed, at.nodes));
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(expected.rows(), expected.cols());
+    for (Eigen::Index node = 0; node < expected.rows() / size; ++node) {
+        for (int r = 0; r < size; ++r) {
+            for (int c = 0; c < size; ++c) {
+                inverse(node * size + r, node * size + c) =
+                    scaling.inverse(static_cast<std::size_t>(node))[r * size + c];
+            }
+        }
+    }
+    for (Eigen::Index dof = 0; dof < expected.rows(); ++dof) {
+        if (at.body.fixed[static_cast<std::size_t>(dof)] != 0) {
+            expected.row(dof).setZero();
+            expected.col(dof).setZero();
+        }
+    }
+    expected = inverse * expected * inverse.transpose();
+    EXPECT_LT((dense(fine_matrix(at.body.A, D, at.body.fixed, scaling)) - expected).cwiseAbs().maxCoeff(),
+              1e-5);
 }
 
 /// The estimate needs ten steps of Lanczos' method and is never above the eigenvalue.

@@ -130,7 +130,7 @@ TEST(Preconditioner, StiffContactWithFrictionCostsNoIterations) {
     for (const double c : {1e2, 1e6, 1e10}) {
         Pieces D;
         for (std::size_t node = 0; node < body.part.space.nodes.size(); ++node) {
-            if (body.part.space.nodes[node][1] == 0.0) {
+            if (body.part.space.nodes[node][1] == 0.0 && body.fixed[2 * node] == 0) {
                 const auto dof = static_cast<std::int32_t>(2 * node);
                 D.sizes.push_back(2);
                 D.dofs.insert(D.dofs.end(), {dof, dof + 1});

@@ -22,8 +22,6 @@ class Hierarchy {
     /// Every process must call.
     void apply() { cycle(0); }
 
-    std::size_t level_count() const { return levels_.size(); }
-
   private:
     void factor_coarsest();
     void solve_coarsest();

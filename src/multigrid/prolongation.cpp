@@ -7,39 +7,13 @@
 #include <span>
 
 #include "multigrid/blocks.h"
+#include "multigrid/columns.h"
 #include "multigrid/row_collector.h"
 
 namespace thermocontact::multigrid {
 namespace {
 
 constexpr double damping = 4.0 / 3.0;
-
-/// Pairs of each node with nodes before it: those of the lower triangle.
-struct Before {
-    std::vector<std::int32_t> offsets, nodes, pairs;
-};
-
-Before lower_triangle(const Matrix& A) {
-    const auto count = static_cast<std::size_t>(A.node_count());
-    Before result;
-    result.offsets.assign(count + 1, 0);
-    for (const std::int32_t j : A.columns) {
-        ++result.offsets[static_cast<std::size_t>(j) + 1];
-    }
-    std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-    result.nodes.resize(A.columns.size());
-    result.pairs.resize(A.columns.size());
-    auto next = result.offsets;
-    for (std::size_t i = 0; i < count; ++i) {
-        for (auto pair = A.offsets[i]; pair < A.offsets[i + 1]; ++pair) {
-            const auto j = static_cast<std::size_t>(A.columns[static_cast<std::size_t>(pair)]);
-            const auto place = static_cast<std::size_t>(next[j]++);
-            result.nodes[place] = static_cast<std::int32_t>(i);
-            result.pairs[place] = pair;
-        }
-    }
-    return result;
-}
 
 /// The coarse nodes that rows of this process name: its own, then those of others in order.
 class CoarseNodes {
@@ -75,7 +49,7 @@ class CoarseNodes {
 template <int size, int motions>
 Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) {
     constexpr int fine = lanes(size);
-    const Before before = lower_triangle(A);
+    const Columns before = by_column(A.offsets, A.columns, A.offsets.size() - 1);  // the lower triangle
     RowCollector row(coarse.count(), Q.length);
     Rows result{Q.length, {0}, {}, {}};
     // block: A_ij by its columns, or A_ji by its rows
@@ -101,8 +75,8 @@ Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) 
         }
         const auto last = static_cast<std::size_t>(before.offsets[i + 1]);
         for (auto k = static_cast<std::size_t>(before.offsets[i]); k < last; ++k) {
-            if (before.nodes[k] != static_cast<std::int32_t>(i)) {
-                add(A.block(static_cast<std::size_t>(before.pairs[k])), before.nodes[k], true);
+            if (before.rows[k] != static_cast<std::int32_t>(i)) {
+                add(A.block(static_cast<std::size_t>(before.places[k])), before.rows[k], true);
             }
         }
         row.finish(result.offsets, result.columns, result.values);

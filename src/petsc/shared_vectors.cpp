@@ -71,9 +71,10 @@ void SharedVectors::put(const std::vector<double>& local, Vec shared) const {
         check(VecRestoreArray(shared, &values));
         return;
     }
-    for (std::size_t dof = 0; dof < local.size(); ++dof) {
-        if (const PetscInt index = owned_index(dof); index >= 0) {
-            values[index] = local[dof];
+    const auto b = static_cast<std::size_t>(components_);
+    for (std::size_t node = 0; node < numbers_->global.size(); ++node) {
+        if (const PetscInt first = owned_index(node * b); first >= 0) {
+            std::copy_n(local.data() + node * b, b, values + first);
         }
     }
     check(VecRestoreArray(shared, &values));

@@ -9,7 +9,8 @@ pieces of a PVTU are one grid; a node that several of them have must have the sa
 The relative difference of a field at a step is the largest absolute difference of any component at any point or
 cell, over the largest absolute value that the field has in either directory at any step. Numbers of the summary:
 the norms and the final contact measures, |a - b| over the larger of the two; the two contact forces share the larger
-of them as their scale, and fractions have the scale 1. A measure that one side lacks counts as 0.
+of them as their scale, and fractions have the scale 1. A measure that one side lacks counts as 0. Of a difference of
+the velocity's norm only what exceeds the round-off of the displacements counts (velocity_round_off).
 
 `state` (open, stick, slip) and `boundary` are compared as integers. Differing states are excused where the quantity
 that decides lies within tolerance * its largest value of the threshold: gap = 0 for open against closed, |slip
@@ -31,32 +32,16 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from final_numbers import compare_finals, velocity_round_off
+from findings import Unusable, Worst
 from oracle_parts import vtu
 from same_steps import first_difference
 
 SAME_PLACE = 1e-9  # relative to the bounding box; also for times, relative to the last one
 PARTS = {0: "body", 1: "contact"}
-NORMS = ("velocity_l2", "displacement_strain_l2", "temperature_l2")
-FORCES = ("normal_force", "tangential_force")
-FRACTIONS = ("contact_fraction", "slip_fraction")
-OTHERS = ("max_penetration", "heat_flow")
 OPEN = 0
 
 Array = npt.NDArray[Any]
-
-
-class Unusable(Exception):
-    """The two directories cannot be compared."""
-
-
-@dataclass
-class Worst:
-    """The largest relative difference of one field, where and when."""
-
-    name: str
-    relative: float = 0.0
-    time: float | None = None
-    place: str = ""
 
 
 @dataclass
@@ -277,29 +262,6 @@ def compare_fields(
     return comparison.worst(tolerance)
 
 
-def compare_summaries(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[Worst]:
-    final_a, final_b = a["final"], b["final"]
-    results = [_number(name, final_a.get(name), final_b.get(name)) for name in NORMS]
-    contact_a, contact_b = final_a.get("contact") or {}, final_b.get("contact") or {}
-    if set(contact_a) != set(contact_b):
-        raise Unusable("the summaries name different contact boundaries")
-    for side in sorted(contact_a):
-        of_a, of_b = contact_a[side], contact_b[side]
-        force = max(abs(of.get(name) or 0.0) for of in (of_a, of_b) for name in FORCES)
-        scales = {name: force for name in FORCES} | {name: 1.0 for name in FRACTIONS}
-        for name in (*FORCES, *FRACTIONS, *OTHERS):
-            results.append(_number(f"{side} {name}", of_a.get(name), of_b.get(name), scales.get(name)))
-    return results
-
-
-def _number(name: str, a: float | None, b: float | None, scale: float | None = None) -> Worst:
-    a, b = a or 0.0, b or 0.0
-    if not (np.isfinite(a) and np.isfinite(b)):
-        return Worst(f"final {name}", np.inf)
-    scale = max(abs(a), abs(b)) if scale is None else scale
-    return Worst(f"final {name}", abs(a - b) / scale if scale > 0.0 else 0.0)
-
-
 def compare(directory_a: Path, directory_b: Path, tolerance: float) -> list[Worst]:
     summary_a, summary_b = load_summary(directory_a), load_summary(directory_b)
     if summary_a.get("status") != summary_b.get("status"):
@@ -311,7 +273,8 @@ def compare(directory_a: Path, directory_b: Path, tolerance: float) -> list[Wors
     results = []
     if any(written) or asked != [[], []]:
         results = compare_fields(directory_a, directory_b, regularisations(summary_a), tolerance)
-    return results + compare_summaries(summary_a, summary_b)
+    round_off = velocity_round_off(directory_a) + velocity_round_off(directory_b)
+    return results + compare_finals(summary_a["final"], summary_b["final"], round_off)
 
 
 def print_table(results: Sequence[Worst]) -> None:

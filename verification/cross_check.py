@@ -18,6 +18,7 @@ import sys
 import tempfile
 from collections.abc import Sequence
 
+import compare
 import oracle_results
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -81,8 +82,7 @@ class Check:
 
     def compare(self, a: pathlib.Path, b: pathlib.Path) -> None:
         print(f"{a.name} against {b.name}", flush=True)
-        program = [sys.executable, str(HERE / "compare.py"), str(a), str(b)]
-        code = subprocess.run([*program, "--tolerance", self.arguments.tolerance]).returncode
+        code = compare.main([str(a), str(b), "--tolerance", self.arguments.tolerance])
         self.worst = max(self.worst, code)
 
 

@@ -112,7 +112,9 @@ def diagnostics(problem: Problem, momentum: Momentum | None, heat: HeatBalance |
     values = {"velocity_l2": 0.0, "displacement_strain_l2": 0.0, "temperature_l2": 0.0}
     if momentum:
         values["velocity_l2"] = l2_norm(momentum.mass, momentum.w_vector)
-        values["displacement_strain_l2"] = l2_norm(momentum.strain_product, momentum.u_vector)
+        values["displacement_strain_l2"] = l2_norm(
+            momentum.strain_product, momentum.deformation_of(problem.u)
+        )
     if heat:
         values["temperature_l2"] = l2_norm(heat.mass, heat.theta_vector)
     for side in problem.contacts:

@@ -6,9 +6,10 @@ Run from verification/: python3 -m unittest tests.test_compare
 import contextlib
 import io
 import json
+import shutil
 import tempfile
 import unittest
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -191,6 +192,31 @@ class CompareTest(unittest.TestCase):
             numbers["final"]["contact"]["bottom"]["slip_fraction"] = 0.5 + 2e-9
 
         self.assertEqual(self.code_after(change), 1)
+
+    def code_at_rest(self, difference: float, velocities: Sequence[float]) -> int:
+        """Velocities that end at 1e-7 and differ by so much, after these; no history without any."""
+        for folder, final in ((self.a, 1e-7), (self.b, 1e-7 + difference)):
+
+            def change(
+                _: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any], final: float = final
+            ) -> None:
+                numbers["final"]["velocity_l2"] = final
+
+            shutil.rmtree(folder, ignore_errors=True)
+            write(folder, change)
+            if velocities:
+                rows = "".join(f"{velocity}\n" for velocity in velocities)
+                (folder / "history.csv").write_text("velocity_l2\n" + rows, encoding="ascii")
+        return self.code()
+
+    def test_velocity_at_rest_is_known_to_round_off_of_the_displacement(self) -> None:
+        """Two runs of 100 steps at up to 3 m/s: 2 * 100 * 3 * 2^-53 = 6.7e-14 m/s; and 1e-9 * 1e-7 beside it."""
+        far = [3.0] * 50 + [1e-7] * 50
+        self.assertEqual(self.code_at_rest(6e-14, far), 0)
+        self.assertEqual(self.code_at_rest(7e-14, far), 1)
+        self.assertEqual(self.code_at_rest(1e-15, [1e-7] * 100), 1, "nothing has moved far")
+        self.assertEqual(self.code_at_rest(1e-15, []), 1, "no history")
+        self.assertEqual(self.code_at_rest(0.0, far), 0)
 
     def test_field_in_one_only(self) -> None:
         def change(data: dict[tuple[int, int], vtu.Grid], numbers: dict[str, Any]) -> None:

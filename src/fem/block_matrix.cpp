@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "prefetch.h"
+
 namespace thermocontact::fem {
 namespace {
 
@@ -62,6 +64,7 @@ void multiply_symmetric(const BlockMatrix& matrix, const double* x, double* y) {
         std::copy_n(x + i * size, size, here);
         add_product<size, size>(block, here, sum);
         for (++column, block += next; column < end; ++column, block += next) {
+            prefetch_after<std::size_t{size} * size>(block);
             const std::ptrdiff_t j = std::ptrdiff_t{*column} * size;
             add_product<size, size>(block, x + j, sum);
             add_transposed<size>(block, here, y + j);
@@ -80,6 +83,7 @@ void multiply_pairs(const BlockMatrix& matrix, const double* x, double* y) {
     for (std::ptrdiff_t i = 0; i < graph.node_count(); ++i) {
         for (auto p = graph.offsets[static_cast<std::size_t>(i)];
              p < graph.offsets[static_cast<std::size_t>(i) + 1]; ++p, block += 2 * half) {
+            prefetch_after<std::size_t{2} * rows * columns>(block);
             const std::ptrdiff_t j = graph.columns[static_cast<std::size_t>(p)];
             add_product<rows, columns>(block, x + j * columns, y + i * rows);
             add_product<rows, columns>(block + half, x + i * columns,
@@ -121,6 +125,7 @@ double quadratic(const BlockMatrix& matrix, const double* x) {
     const double* block = matrix.values.data();
     const auto add = [&](double* sum) {
         const double* values = x + std::ptrdiff_t{*column} * size;
+        prefetch_after<scaled ? 1 : std::size_t{size} * size>(block);
         for (int r = 0; r < size; ++r) {
             if constexpr (scaled) {
                 sum[r] += *block * values[r];

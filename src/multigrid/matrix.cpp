@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "multigrid/blocks.h"
+#include "prefetch.h"
 
 namespace thermocontact::multigrid {
 namespace {
@@ -18,6 +19,7 @@ void subtract_blocks(const Matrix& A, const float* x, float* y) {
         const Column<size> here = -ConstColumnMap<size>(x + i * stride);
         Column<size> sum = product<size, size>(block, x + i * stride);
         for (++column, block += length; column < end; ++column, block += length) {
+            prefetch_after<static_cast<std::size_t>(length)>(block);
             const std::ptrdiff_t j = *column * stride;
             sum += product<size, size>(block, x + j);
             add_transposed_product<size, size>(block, here, y + j);

@@ -9,6 +9,7 @@
 #include "multigrid/blocks.h"
 #include "multigrid/columns.h"
 #include "multigrid/row_collector.h"
+#include "prefetch.h"
 
 namespace thermocontact::multigrid {
 namespace {
@@ -133,6 +134,7 @@ void add_prolonged(const Prolongation& P, const float* coarse, float* fine) {
     for (std::size_t i = 0; i + 1 < P.offsets.size(); ++i, fine += lanes(size)) {
         const std::int32_t* end = P.columns.data() + P.offsets[i + 1];
         for (; column < end; ++column, block += length) {
+            prefetch_after<static_cast<std::size_t>(length)>(block);
             const Column<motions> from = ConstColumnMap<motions>(column_of<motions>(coarse, *column));
             add_transposed_product<motions, size>(block, from, fine);
         }
@@ -149,8 +151,10 @@ void add_restricted(const Prolongation& P, const float* fine, const SharedNodes&
         }
         const auto end = static_cast<std::size_t>(P.offsets[i + 1]);
         for (auto entry = static_cast<std::size_t>(P.offsets[i]); entry < end; ++entry) {
+            const float* block = P.values.data() + entry * length;
+            prefetch_after<length>(block);
             ColumnMap<motions>(column_of<motions>(coarse.data(), P.columns[entry])) +=
-                product<motions, size>(P.values.data() + entry * length, fine);
+                product<motions, size>(block, fine);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <new>
 #include <numeric>
 
+#include "prefetch.h"
 #include "solve/cholmod.h"
 
 namespace thermocontact::solve {
@@ -43,16 +44,9 @@ bool keeps_tail(const cholmod_factor& factor, std::span<const std::int32_t> orde
     return now == wanted;
 }
 
-/// Asks for the four cache lines that the same loop will want `reach` bytes further on: the columns of a
-/// group are too short for the hardware prefetcher, but groups follow each other in memory.
-void prefetch(const char* position) {
-    for (int line = 0; line < 4; ++line) {
-        __builtin_prefetch(position + std::ptrdiff_t{64} * line);
-    }
-}
-
+// The columns of a group are too short for the hardware prefetcher, but groups follow each other in memory.
 constexpr std::ptrdiff_t chunk = 8;  ///< rows between prefetches: four columns of one cache line each
-constexpr std::ptrdiff_t prefetch_reach = 8192;  ///< bytes
+constexpr std::ptrdiff_t prefetch_reach = 8192, prefetched = 4 * chunk * sizeof(double);  ///< bytes
 
 /// x_below -= L x for one group of columns; `rows` numbers in each column, `leading` apart.
 void subtract_columns(const double* __restrict L, std::ptrdiff_t leading, std::ptrdiff_t rows,
@@ -61,8 +55,8 @@ void subtract_columns(const double* __restrict L, std::ptrdiff_t leading, std::p
     const double *L1 = L + leading, *L2 = L1 + leading, *L3 = L2 + leading;
     const char* ahead = reinterpret_cast<const char*>(L) + prefetch_reach;
     std::ptrdiff_t r = 0;
-    for (; r + chunk <= rows; r += chunk, ahead += 4 * chunk * static_cast<std::ptrdiff_t>(sizeof(double))) {
-        prefetch(ahead);
+    for (; r + chunk <= rows; r += chunk, ahead += prefetched) {
+        prefetch<prefetched>(ahead);
 #pragma omp simd
         for (std::ptrdiff_t i = r; i < r + chunk; ++i) {
             below[i] -= L[i] * x0 + L1[i] * x1 + L2[i] * x2 + L3[i] * x3;
@@ -80,8 +74,8 @@ void subtract_products(const double* __restrict L, std::ptrdiff_t leading, std::
     const char* ahead = reinterpret_cast<const char*>(L) - prefetch_reach;
     double s[4][chunk] = {};
     std::ptrdiff_t r = 0;
-    for (; r + chunk <= rows; r += chunk, ahead += 4 * chunk * static_cast<std::ptrdiff_t>(sizeof(double))) {
-        prefetch(ahead);
+    for (; r + chunk <= rows; r += chunk, ahead += prefetched) {
+        prefetch<prefetched>(ahead);
 #pragma omp simd
         for (std::ptrdiff_t i = 0; i < chunk; ++i) {
             s[0][i] += L[r + i] * below[r + i];

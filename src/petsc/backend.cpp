@@ -3,9 +3,9 @@
 #include <mpi.h>
 #include <petscsys.h>
 
-#include <array>
 #include <chrono>
 #include <cstdlib>
+#include <initializer_list>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -85,21 +85,27 @@ class MpiTeam final : public parallel::Team {
     int rank_ = 0, size_ = 1;
 };
 
-/// Open MPI prepares a process that mpirun did not start for starting others, and for every network it knows;
-/// it needs neither. 0.1 s instead of 0.35 s. What the user sets stays.
-void start_alone() {
-    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
-        if (std::getenv(name) != nullptr) {
-            return;
-        }
-    }
-    constexpr std::array<std::pair<const char*, const char*>, 4> choices{
-        {{"OMPI_MCA_ess_singleton_isolated", "1"},
-         {"OMPI_MCA_btl", "self"},
-         {"OMPI_MCA_pml", "ob1"},
-         {"OMPI_MCA_osc", "pt2pt"}}};
+void set_unless_given(std::initializer_list<std::pair<const char*, const char*>> choices) {
     for (const auto& [name, value] : choices) {
         setenv(name, value, 0);
+    }
+}
+
+/// Open MPI prepares a process that mpirun did not start for starting others, and any process for every
+/// network it knows. Alone it needs neither: 0.1 s instead of 0.35 s; several on one node need none of the
+/// networks: 0.1 s instead of 0.3 s. What the user sets stays.
+void spare_networks() {
+    const char* all = std::getenv("OMPI_COMM_WORLD_SIZE");
+    const char* here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+    if (all != nullptr && here != nullptr) {
+        if (std::string_view(all) == here) {
+            set_unless_given({{"OMPI_MCA_pml", "ob1"}});
+        }
+    } else if (std::getenv("PMI_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr) {
+        set_unless_given({{"OMPI_MCA_ess_singleton_isolated", "1"},
+                          {"OMPI_MCA_btl", "self"},
+                          {"OMPI_MCA_pml", "ob1"},
+                          {"OMPI_MCA_osc", "pt2pt"}});
     }
 }
 
@@ -120,7 +126,7 @@ std::vector<char*> petsc_words(int argc, char** argv) {
 class PetscBackend final : public parallel::Backend {
   public:
     PetscBackend(int argc, char** argv) : words_(petsc_words(argc, argv)) {
-        start_alone();
+        spare_networks();
         auto count = static_cast<int>(words_.size()) - 1;
         char** words = words_.data();
         check(PetscInitialize(&count, &words, nullptr, nullptr));

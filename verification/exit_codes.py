@@ -42,6 +42,15 @@ time = {end = 1.0, steps = 2}
 material.elasticity = {young = 2.0, poisson = 0.1}
 load.body_force = [0.0, -1.0]
 """
+IN_SPACE = LOOSE.replace("[2, 2]", "[2, 2, 2]\nmesh.shape = 'box'").replace("[0.0, -1.0]", "[0.0, -1.0, 0.0]")
+ON_A_TABLE = "boundary.bottom.contact.compliance.stiffness = 10\n"
+OPENING = ON_A_TABLE + '''boundary.left.displacement = [0.0, "free"]
+boundary.bottom.contact.gap = "t < 0.6 ? 0 : 1"
+'''
+HEATED = """mesh.cells = [2, 2]
+time = {end = 1.0, steps = 2}
+heat = {conductivity = 1.0, source = 1.0}
+"""
 
 
 def small_files() -> None:
@@ -191,6 +200,37 @@ class ExitCodes(unittest.TestCase):
         self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("failed", 0))
         self.assertFalse((self.results / "history.csv").exists())
         self.assertEqual(list(self.results.glob("fields/*.vtu")), [])
+
+    def test_what_is_free_to_move(self) -> None:
+        """By name, with the reason and what to change, before the first step where no contact can hold it."""
+        nothing, closed = "there is no contact", "contact does not resist it as it is closed"
+        along_x = "the body is free to move along x, for there is no inertia, no displacement is prescribed that"
+        for scene, told in (
+            (LOOSE, ("to move along x, to move along y and to turn about (0.5, 0.5)", nothing)),
+            (IN_SPACE, ("to turn about the axis along y through (0.5, 0.5, 0.5)", nothing)),
+            (LOOSE + ON_A_TABLE, (along_x, closed, "friction")),
+            (IN_SPACE + ON_A_TABLE, ("to move along x, to move along z and to turn about the axis along y",)),
+            (LOOSE + "boundary.top.displacement = ['free', 0.0]\n", (along_x, nothing)),
+            (HEATED, ("the temperature of the body is free to change alike everywhere", "heat.capacity")),
+        ):
+            for strategy in ("condensed", "newton-krylov"):
+                with self.subTest(scene=scene, strategy=strategy):
+                    (self.folder / "loose.toml").write_text(scene, encoding="utf-8")
+                    words = ("--quiet", "--output", self.results, "--set", f"solver.strategy='{strategy}'")
+                    message = self.call(NUMERICS_FAILED, "run", "loose.toml", *words).stderr
+                    self.assert_says(message, "balance: the system is singular: ", *told, "prescribe it")
+                    self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("failed", 0))
+
+    def test_contact_that_opens_leaves_a_body_free(self) -> None:
+        for strategy in ("condensed", "newton-krylov"):
+            with self.subTest(strategy=strategy):
+                (self.folder / "opening.toml").write_text(LOOSE + OPENING, encoding="utf-8")
+                words = ("--quiet", "--output", self.results, "--set", f"solver.strategy='{strategy}'")
+                message = self.call(NUMERICS_FAILED, "run", "opening.toml", *words).stderr
+                self.assert_says(
+                    message, "step 2, t = 1: momentum balance: ", "free to move along y,", "contact is open"
+                )
+                self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("failed", 1))
 
     def test_fewer_steps_leave_no_older_fields(self) -> None:
         self.run_small(COMPLETED)

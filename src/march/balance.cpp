@@ -102,10 +102,47 @@ void Balance::remove_prescribed(std::vector<double>& rhs) {
     as_eigen(rhs) -= as_eigen(systems_.front()->matrix.multiply(values));
 }
 
+void Balance::look_for_free_motions(const parallel::NodeNumbers& numbers, int components,
+                                    const FreeMotionWords& words) {
+    free_motions_.emplace(*space_, numbers, strategy_->team(), prescribed_.fixed(), components);
+    words_ = words;
+    contact_.set_step(1.0);  // until use() says otherwise
+}
+
+std::optional<std::string> Balance::what_is_free() {
+    const auto found = free_motions_ ? free_motions_->left_by(contact_) : std::nullopt;
+    if (!found) {
+        return std::nullopt;
+    }
+    const std::string contact = contact_.empty()      ? "there is no contact"
+                                : found->contact_acts ? "contact does not resist it as it is closed"
+                                                      : words_.idle;
+    return "the system is singular: " + found->motions + ", for there is no " + words_.lacking + ", no " +
+           words_.prescribed + " is prescribed that would prevent it, and " + contact + "; " + words_.advice;
+}
+
+void Balance::require_held() {
+    if (const auto text = what_is_free()) {
+        throw NumericsError(name_ + " balance: " + *text);
+    }
+}
+
 SolveReport Balance::solve(std::vector<double>& rhs) {
     remove_prescribed(rhs);
+    const std::vector<double> start = free_motions_ ? *unknown_ : std::vector<double>();
     Eigen::VectorXd x = timed(seconds_.triangular_solves, [&] { return problem().begin(rhs, *unknown_); });
-    const SolveReport report = timed(seconds_.newton, [&] { return solve_contact(x); });
+    SolveReport report;
+    try {
+        report = timed(seconds_.newton, [&] { return solve_contact(x); });
+    } catch (const StepFailure& failure) {
+        if (free_motions_) {
+            *unknown_ = start;
+            if (const auto text = what_is_free()) {
+                throw NumericsError(std::string(failure.what()) + "; " + *text);
+            }
+        }
+        throw;
+    }
     const bool finite = timed(seconds_.triangular_solves, [&] { return problem().finish(x, *unknown_); });
     if (!finite) {
         throw StepFailure(name_ + " balance: the solution is not finite");

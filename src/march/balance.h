@@ -11,6 +11,7 @@
 #include "march/snapshot.h"
 #include "march/state.h"
 #include "model/facet_term.h"
+#include "model/free_motions.h"
 #include "model/nodal.h"
 #include "scene/scene.h"
 #include "solve/step_problem.h"
@@ -20,6 +21,14 @@ namespace thermocontact::march {
 /// No solution of a step was found; a smaller one may have one.
 struct StepFailure : NumericsError {
     using NumericsError::NumericsError;
+};
+
+/// What a message says of a body that nothing holds.
+struct FreeMotionWords {
+    const char* lacking;     ///< what A has not: "inertia"
+    const char* prescribed;  ///< "displacement"
+    const char* idle;        ///< what contact does where it has no derivative: "contact is open"
+    const char* advice;
 };
 
 /// Solves A x + F(x) = r for the unknowns that are not prescribed. A and F depend on tau (step_rule.h); the
@@ -37,13 +46,23 @@ class Balance {
     void use(double tau);
 
     /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws
-    /// StepFailure if no solution is found, having tried Newton and continuation in the regularisation.
+    /// StepFailure if no solution is found, having tried Newton and continuation in the regularisation;
+    /// NumericsError if the body was free to move at the start value: no smaller step holds it.
     SolveReport solve(std::vector<double>& rhs);
 
     /// What the systems prepared have kept from earlier solves and can hand on, the one in use first; and an
     /// equal balance to go on with it.
     std::vector<KeptSystem> kept_systems() const;
     void take_up(const std::vector<KeptSystem>& kept);
+
+    /// For a field [nodes][components] that A alone does not hold, for want of inertia or capacity: from now
+    /// on require_held() knows, and a step without solution tells, what is free. Every process must call.
+    void look_for_free_motions(const parallel::NodeNumbers& numbers, int components,
+                               const FreeMotionWords& words);
+
+    /// Throws NumericsError where nothing holds the body, with contact as the fields are that it reads. Every
+    /// process must call.
+    void require_held();
 
     /// How many systems stay prepared.
     void keep(std::size_t systems) { most_systems_ = systems; }
@@ -68,6 +87,7 @@ class Balance {
     std::unique_ptr<System> prepare(double tau);
     solve::StepProblem& problem() const { return *systems_.front()->problem; }
     SolveReport solve_contact(Eigen::VectorXd& x);
+    std::optional<std::string> what_is_free();
     void remove_prescribed(std::vector<double>& rhs);
 
     std::string name_;  ///< "momentum", "heat"
@@ -79,6 +99,8 @@ class Balance {
     const fem::Space* space_;
     solve::Strategy* strategy_;
     std::vector<double>* unknown_;
+    std::optional<model::FreeMotions> free_motions_;  ///< empty: inertia holds all of them
+    FreeMotionWords words_{};
     StepSeconds seconds_;
     double factor_seconds_ = 0;
     int factorisations_ = 0;                        ///< systems prepared

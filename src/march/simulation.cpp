@@ -48,6 +48,7 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
         heat_.emplace(scene, part_.mesh, part_.space, graph_, *choice_.strategy, surfaces_, state_,
                       momentum_ ? &momentum_->stage_displacement() : nullptr, sources.thermal);
     }
+    look_for_free_motions();
     prepare();
     const model::ContactState contact{scene.material ? &state_.displacement : &no_motion_,
                                       scene.material ? &state_.velocity : &no_motion_, &state_.temperature};
@@ -112,6 +113,7 @@ void Simulation::advance() {
         const StepRule rule = this->rule(parts);
         try {
             solve(rule, counts);
+            require_held();
             settle(rule, parts, counts);
         } catch (const StepFailure& failure) {
             if (!before) {

@@ -113,6 +113,8 @@ class Simulation {
     using FieldErrors = std::array<OfField, 4>;
 
     void initialise();
+    void look_for_free_motions();
+    void require_held();
     void prepare();
     StepRule rule(const Subdivision& parts) const;
     void solve(const StepRule& rule, StepCounts& counts);

@@ -99,6 +99,21 @@ void FacetTerm::visit_derivative(const Eigen::VectorXd& x, const Piece& visit) {
     }
 }
 
+void FacetTerm::visit_derivative_of(std::size_t law, const Piece& visit) {
+    std::vector<std::int32_t> dofs;
+    for (const mesh::Facet& facet : *laws_[law].facets) {
+        dofs.clear();
+        for (const std::int32_t node : space_->dofmap.of(facet.cell)) {
+            for (std::int32_t c = 0; c < components_; ++c) {
+                dofs.push_back(node * components_ + c);
+            }
+        }
+        tensor_.assign(dofs.size() * dofs.size(), 0.0);
+        laws_[law].jacobian->add_facet(facet, tensor_);
+        visit(dofs, tensor_);
+    }
+}
+
 void FacetTerm::nodal_forces(std::string_view name, std::vector<double>& forces) {
     const auto d = static_cast<std::size_t>(components_);
     for (const Law& law : laws_) {

@@ -34,9 +34,14 @@ class FacetTerm : public solve::NonlinearTerm {
     double smallest_regularisation() const;
 
     bool empty() const { return laws_.empty(); }
+    std::size_t law_count() const { return laws_.size(); }
 
     void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override;
     void visit_derivative(const Eigen::VectorXd& x, const Piece& visit) override;
+
+    /// dF/dx of one law, in the order in which they were added, at the present values of the field; the
+    /// unknowns of its pieces are dofs, prescribed ones included.
+    void visit_derivative_of(std::size_t law, const Piece& visit);
 
     /// Forces of one law ("compliance") at the current unknown into `forces` [nodes][components], prescribed
     /// dofs included. Writes only on the law's surfaces: elsewhere `forces` is zero already.

@@ -93,7 +93,7 @@ MUTATIONS = (
     ),
     Mutation(
         "rotation",
-        "src/theory/rigid_motions.cpp",
+        "src/model/rigid_motions.cpp",
         "component == a ? -x[b] :",
         "component == a ? x[b] :",
         "sign",

@@ -21,6 +21,12 @@ import under_test
 DRIVER = str(under_test.DRIVER)
 SCENE = str(under_test.ROOT / "scenes" / "isothermal.toml")
 SMALL = ["--set", "mesh.cells=[6,6]", "--set", "time.steps=3"]
+SLIDING = """mesh.cells = [6, 6]
+time = {end = 1.0, steps = 1}
+material.elasticity = {young = 2.0, poisson = 0.1}
+load.body_force = [0.1, -1.0]
+boundary.bottom.contact.compliance.stiffness = 10
+"""
 TIMEOUT = under_test.patience(120.0)  # seconds; a run takes two, a hang for ever
 
 
@@ -91,6 +97,18 @@ class Processes(unittest.TestCase):
                 assert isinstance(solver, dict)
                 self.assertEqual(solver["processes"], count)
                 self.assertEqual(solver["contact_unknowns"], 14)
+
+    def test_what_is_free_to_move_is_told_alike(self) -> None:
+        """Without inertia, on frictionless contact: one message, the same as of one process."""
+        scene = self.folder / "sliding.toml"
+        scene.write_text(SLIDING, encoding="utf-8")
+        program = [DRIVER, "run", str(scene), "--quiet", "--output", str(self.results)]
+        alone = subprocess.run(program, capture_output=True, text=True)
+        self.assertEqual(alone.returncode, 3, alone.stderr)
+        self.assertIn("the body is free to move along x, for", alone.stderr)
+        for count in (2, 3):
+            with self.subTest(count):
+                self.expect(mpirun(*[program] * count), 3, alone.stderr.strip())
 
     def test_more_processes_than_cells(self) -> None:
         reference = self.folder / "alone"

@@ -214,27 +214,6 @@ TEST_F(ResultFiles, WhatJustTouchesIsClosed) {
     }
 }
 
-/// Quadratic triangles in VTK's order: the midpoints follow the edges 01, 12, 20.
-TEST_F(ResultFiles, QuadraticCellsAreInVtkOrder) {
-    run("paper", with({"space.degree=2"}));
-    for (const auto& [file, edges] : std::vector<std::pair<std::string, std::vector<std::array<int, 3>>>>{
-             {"fields/body_000000.vtu", {{0, 1, 3}, {1, 2, 4}, {2, 0, 5}}},
-             {"fields/contact_000000.vtu", {{0, 1, 2}}}}) {
-        const std::string text = content(folder / file);
-        const auto points = read_array<double>(text, "Points", "Float64", 3);
-        const auto cells = read_array<std::int64_t>(text, "connectivity", "Int64", 1);
-        const std::size_t size = edges.size() == 3 ? 6 : 3;
-        for (std::size_t cell = 0; cell < cells.size(); cell += size) {
-            for (const auto& [p, q, middle] : edges) {
-                for (std::size_t c = 0; c < 3; ++c) {
-                    EXPECT_EQ(points[3 * cells[cell + middle] + c],
-                              (points[3 * cells[cell + p] + c] + points[3 * cells[cell + q] + c]) / 2);
-                }
-            }
-        }
-    }
-}
-
 /// Two contact sides with different laws: what one lacks is 0 there.
 TEST_F(ResultFiles, LawsThatASideLacksAreZero) {
     run("anisotropic", {"mesh.cells=[3,2]", "time.step=0.3"});

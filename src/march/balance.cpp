@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "error.h"
 #include "march/vectors.h"
@@ -66,9 +67,9 @@ std::vector<KeptSystem> Balance::kept_systems() const {
 }
 
 void Balance::take_up(const std::vector<KeptSystem>& kept) {
-    for (auto system = kept.rbegin(); system != kept.rend(); ++system) {
-        use(system->tau);
-        problem().take_up(system->derivative);
+    for (const KeptSystem& system : std::views::reverse(kept)) {
+        use(system.tau);
+        problem().take_up(system.derivative);
     }
 }
 

@@ -46,11 +46,11 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, doubl
     return matrix;
 }
 
-/// What the scheme dissipates at one unknown, twice: `change` is that of the value over the step, `force`
-/// that of the force, `carried` the force of y_hat less that of y (momentum_audit.h).
-double twice_dissipated(const StepRule& rule, double change, double stage, double force, double carried) {
+/// What the scheme dissipates at one unknown, twice: `motion` is the change of the value over the step,
+/// `force` that of the force, `carried` the force of y_hat less that of y (momentum_audit.h).
+double twice_dissipated(const StepRule& rule, double motion, double stage, double force, double carried) {
     const double lambda = rule.tau / (rule.alpha * rule.step);
-    return (2 * rule.alpha - 1) * change * force +
+    return (2 * rule.alpha - 1) * motion * force +
            2 * stage * ((1 / lambda - 1) * force - carried / (lambda * rule.alpha));
 }
 

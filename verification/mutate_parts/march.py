@@ -134,8 +134,8 @@ MUTATIONS = (
     Mutation(
         "momentum-numerical-dissipation",
         "src/march/momentum.cpp",
-        "return (2 * rule.alpha - 1) * change * force +",
-        "return (2 * rule.alpha - 1) * (stage + 0 * change) * force +",
+        "return (2 * rule.alpha - 1) * motion * force +",
+        "return (2 * rule.alpha - 1) * (stage + 0 * motion) * force +",
         "index",
         "rho/2 |w_n - w_{n-1}|^2 in the energy balance",
     ),

@@ -191,6 +191,17 @@ class ExitCodes(unittest.TestCase):
         self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("completed", 4))
         self.assertEqual(self.summary()["final"], unbroken)
 
+    def test_restart_of_a_folder(self) -> None:
+        """The results' folder for the checkpoint in it is refused, by name, and stays as it was."""
+        self.run_small(COMPLETED)
+        before = {path: path.stat().st_mtime_ns for path in self.results.rglob("*")}
+        message = self.run_small(BAD_INPUT, "--restart", str(self.results))
+        file = self.results / "checkpoint.h5"
+        self.assert_says(message, f"--restart {self.results}: expected a checkpoint", f"did you mean {file}?")
+        self.assertEqual({path: path.stat().st_mtime_ns for path in self.results.rglob("*")}, before)
+        message = self.run_small(BAD_INPUT, "--restart", str(self.folder))
+        self.assert_says(message, "without a checkpoint.h5")
+
     def test_singular_system(self) -> None:
         """It also takes away what an earlier run left, which would stand beside the word `failed`."""
         (self.folder / "loose.toml").write_text(LOOSE, encoding="utf-8")

@@ -114,7 +114,20 @@ Checkpoint take(const std::string& sealed, const scene::Scene& scene) {
     return checkpoint;
 }
 
+/// Of a folder, what may have been meant.
+SceneError found_folder(const std::filesystem::path& folder) {
+    const std::filesystem::path inside = folder / checkpoint_name;
+    std::error_code none;
+    return SceneError("expected a checkpoint file, found a folder" +
+                      (std::filesystem::is_regular_file(inside, none)
+                           ? "; did you mean " + inside.string() + "?"
+                           : " without a " + std::string(checkpoint_name) + " in it"));
+}
+
 std::string content_of(const std::filesystem::path& path) {
+    if (std::error_code none; std::filesystem::is_directory(path, none)) {
+        throw found_folder(path);
+    }
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     std::ostringstream content;

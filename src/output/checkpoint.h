@@ -10,6 +10,8 @@
 
 namespace thermocontact::output {
 
+inline constexpr const char* checkpoint_name = "checkpoint.h5";  ///< in the folder of the results
+
 struct Checkpoint {
     std::string run;  ///< identifies a run and its restarts: they may continue each other's results
     march::Snapshot snapshot;
@@ -19,7 +21,8 @@ struct Checkpoint {
 std::string to_bytes(const Checkpoint& checkpoint, const scene::Scene& scene);
 
 /// Reads what can be gone on with under `scene`. Throws SceneError, naming the file, where it cannot be read,
-/// is damaged, of another version, of another scene (which keys) or beyond the scene's last step.
+/// is a folder, is damaged, of another version, of another scene (which keys) or beyond the scene's last
+/// step.
 Checkpoint read_checkpoint(const std::filesystem::path& file, const scene::Scene& scene);
 
 /// The run of a checkpoint file, if there is one that can be read, of whatever scene.

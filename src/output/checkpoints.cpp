@@ -31,7 +31,7 @@ void Checkpoints::write(Sync sync) {
     const march::Snapshot snapshot = simulation_->snapshot();
     parallel::together(simulation_->team(), [&] {
         if (simulation_->team().rank() == 0) {
-            write_whole(folder_ / file_name, to_bytes({run_, snapshot}, *scene_), sync);
+            write_whole(folder_ / checkpoint_name, to_bytes({run_, snapshot}, *scene_), sync);
         }
     });
     last_step_ = simulation_->state().step;

@@ -12,8 +12,6 @@ namespace thermocontact::output {
 
 class Checkpoints {
   public:
-    static constexpr const char* file_name = "checkpoint.h5";
-
     /// `run`: see Checkpoint; only the first process's counts.
     Checkpoints(std::filesystem::path folder, const scene::Scene& scene, const march::Simulation& simulation,
                 std::string run);

@@ -8,7 +8,7 @@
 #include <string>
 #include <system_error>
 
-#include "output/checkpoints.h"
+#include "output/checkpoint.h"
 #include "output/files.h"
 
 namespace thermocontact::output {
@@ -68,7 +68,7 @@ void remove_fields(const fs::path& folder, Goes goes) {
 void clear_results(const fs::path& folder) {
     std::error_code ignored;
     for (const std::string file :
-         {Checkpoints::file_name, "summary.json", "history.csv", "steps.csv", "fields.pvd"}) {
+         {checkpoint_name, "summary.json", "history.csv", "steps.csv", "fields.pvd"}) {
         fs::remove(folder / file, ignored);
         fs::remove(folder / (file + ".part"), ignored);
     }

@@ -52,7 +52,7 @@ Results::Results(std::filesystem::path folder, const scene::Scene& scene, march:
     bool continues = false;
     if_first([&] {
         make_folder(folder_);
-        continues = earlier != nullptr && run_of(folder_ / Checkpoints::file_name) == earlier->run;
+        continues = earlier != nullptr && run_of(folder_ / checkpoint_name) == earlier->run;
         if (!continues) {
             clear_results(folder_);
         }

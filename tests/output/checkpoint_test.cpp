@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 class CheckpointFile : public testing::Test {
   protected:
-    ~CheckpointFile() override { fs::remove(file); }
+    ~CheckpointFile() override { fs::remove_all(file); }
 
     static scene::Scene paper(const support::Overrides& more = {}) {
         support::Overrides overrides = {"mesh.cells=[2,2]", "time.steps=8"};
@@ -162,6 +162,20 @@ TEST_F(CheckpointFile, OtherFilesAreRefused) {
     other.write("/version", version_text());
     put(seal(other.bytes()));
     EXPECT_EQ(refusal(paper()), "HDF5 cannot find /scene");
+}
+
+/// The folder of results instead of the file in it.
+TEST_F(CheckpointFile, FoldersAreRefused) {
+    fs::create_directory(file);
+    EXPECT_EQ(refusal(paper()), "expected a checkpoint file, found a folder without a checkpoint.h5 in it");
+    const fs::path inside = file / "checkpoint.h5";
+    fs::create_directory(inside);
+    EXPECT_EQ(refusal(paper()), "expected a checkpoint file, found a folder without a checkpoint.h5 in it");
+    fs::remove(inside);
+    std::ofstream(inside) << "whatever it holds";
+    EXPECT_EQ(refusal(paper()),
+              "expected a checkpoint file, found a folder; did you mean " + inside.string() + "?");
+    EXPECT_FALSE(run_of(file));
 }
 
 TEST_F(CheckpointFile, OtherFormatsAndVersionsAreRefused) {

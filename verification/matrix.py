@@ -3,8 +3,9 @@
     python3 verification/matrix.py [--driver PROGRAM] [--workers N] [--table FILE.md] [GROUP...]
 
 What must be tried comes from `thermocontact schema`: every key, every choice, every form of a value, both states of
-what may be absent, every side. A key without a case is a failure, and so is a case whose key is gone. Besides there
-are all pairs of physics switches, scenes in which several things meet, and scenes that must be refused. Some GROUPs
+what may be absent, every side; of plane bodies, and of bodies in space all that means something else there or meets
+other code. A key without a case is a failure, and so is a case whose key is gone. Besides there are all pairs of
+physics switches (in the plane), scenes in which several things meet, and scenes that must be refused. Some GROUPs
 (keys, or base, pairs, together) alone are run without asking what is missing.
 
 Three things are asked of each case:
@@ -12,8 +13,8 @@ Three things are asked of each case:
 - driver against oracle, as compare.py measures it: at most 1e-9 in every field at every step, and every tenth case
   once more with the oracle on two processes. The bound: a step is solved to a relative residual of 1e-12, and the
   error of its unknowns is at most the condition number of the Jacobian, scaled to a unit diagonal, times that. On
-  these meshes (h >= 1/7, steps of 0.06 and more) it is 3 to 120, the largest for degree 2 and for quasi-static
-  scenes; there are up to five steps: 6e-10. As Newton's last step overshoots the tolerance, less is seen.
+  these meshes (h >= 1/7, steps of 0.06 and more) it is 3 to 120, in space 2 to 80, the largest for degree 2 and for
+  quasi-static scenes; there are up to five steps: 6e-10. As Newton's last step overshoots the tolerance, less is seen.
 - driver against the driver's result for the base scene: more than 1e-6 of some field. A case below that cannot fail,
   since a program that ignores the key would pass it too.
 - where the key cannot matter, the table says why, and then the two results must agree to 1e-9.
@@ -37,10 +38,12 @@ from matrix_parts.refusals import refusals
 from matrix_parts.scenes import write
 from matrix_parts.together import together_cases
 from matrix_parts.variations import VARIATIONS
+from matrix_parts.variations_in_space import ALIKE, IN_SPACE
 
 TOLERANCE = 1e-9
 MATTERS = 1e-6
 TENTH, RANKS = 10, 2
+TABLES = (coverage.Table("rectangle", VARIATIONS), coverage.Table("box", IN_SPACE, ALIKE))
 
 
 @dataclass(frozen=True)
@@ -53,7 +56,12 @@ class Verdict:
 
 
 def every_case() -> list[Case]:
-    varied = [variation.case(key) for key, variations in VARIATIONS.items() for variation in variations]
+    varied = [
+        variation.case(key)
+        for table in TABLES
+        for key, variations in table.variations.items()
+        for variation in variations
+    ]
     return [*base_cases(), *varied, *pair_cases(), *together_cases()]
 
 
@@ -169,7 +177,7 @@ def main(arguments: Sequence[str]) -> int:
     driver = runs.Driver(options.driver.resolve())
     schema = coverage.read(driver.schema())
     cases = every_case()
-    failures = [] if options.groups else coverage.gaps(schema, VARIATIONS, cases)
+    failures = [] if options.groups else coverage.gaps(schema, TABLES, cases)
     if options.groups:
         cases = [case for case in cases if case.group in ("base", *options.groups)]
     with tempfile.TemporaryDirectory() as name:

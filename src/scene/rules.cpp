@@ -24,10 +24,11 @@ constexpr double most_cells = 1e8;  // keeps every count of a mesh within 32 bit
          name + ": " + message);
 }
 
-/// Plane states of stress have no meaning in space.
+/// Plane states of stress and diagonals of rectangles have no meaning in space.
 void check_plane_keys(const Settings& settings) {
     for (const auto& [name, setting] : settings.by_name) {
-        if (setting.key->leaf() == "plane" && settings.written(name) && settings.body.dimension == 3) {
+        const bool is_plane = setting.key->leaf() == "plane" || name == "mesh.diagonal";
+        if (is_plane && settings.written(name) && settings.body.dimension == 3) {
             fail_at(settings, name, "the body has three dimensions; leave it out");
         }
     }

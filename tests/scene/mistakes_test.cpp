@@ -226,6 +226,16 @@ const Mistake combinations[] = {
      "[boundary.left.contact.conductance]"},
 };
 
+TEST(MistakesInSpace, KeysOfThePlane) {
+    const std::string box = "[mesh]\nshape = \"box\"\ncells = [2, 2, 2]\n",
+                      physics =
+                          "[time]\nend = 1\nsteps = 1\n[material.elasticity]\nyoung = 2\npoisson = 0.1\n";
+    EXPECT_EQ(message(box + "diagonal = \"left\"\n" + physics),
+              "scene.toml:4: mesh.diagonal: the body has three dimensions; leave it out");
+    EXPECT_EQ(message(box + physics + "plane = \"strain\"\n"),
+              "scene.toml:10: material.elasticity.plane: the body has three dimensions; leave it out");
+}
+
 std::string name_of(const testing::TestParamInfo<Mistake>& info) {
     return info.param.name;
 }

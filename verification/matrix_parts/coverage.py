@@ -1,12 +1,13 @@
-"""What the table of variations must hold, as the driver's own schema demands it; anything missing is named."""
+"""What the tables of variations must hold, as the driver's own schema demands it; anything missing is named."""
 
 import json
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from matrix_parts.cases import Case, Variation, generic
-from matrix_parts.scenes import ABSENT, BASES, SIDES, is_below
+from matrix_parts.scenes import ABSENT, BASES, DIMENSION, SIDES, is_below
 
 Entry = Mapping[str, Any]  # one key of the schema
 FEW = 20  # an integer key with no more values than this has every one of them tried
@@ -53,9 +54,8 @@ FORMS: Mapping[str, Mapping[str, Callable[[Any], bool]]] = {
     "symmetric tensor": TENSOR,
     "positive semidefinite Voigt matrix": {"a matrix": is_matrix},
 }
-# What the cross checks of the scenes box, brake-pad and press-fit try, beside the matrix: keys, and choices of keys
-ELSEWHERE_KEYS = ("mesh.file", "region")
-ELSEWHERE_CHOICES = {"mesh.shape": ("box",)}
+# What the cross checks of the scenes brake-pad and press-fit try, beside the matrix
+ELSEWHERE = ("mesh.file", "region")
 # and of "2 numbers", "d expressions or free" and so on, by what follows the number
 LIST_FORMS: Mapping[str, Mapping[str, Callable[[Any], bool]]] = {
     "numbers": {"numbers": has(is_number)},
@@ -65,35 +65,58 @@ LIST_FORMS: Mapping[str, Mapping[str, Callable[[Any], bool]]] = {
 }
 
 
-def gaps(
-    schema: Sequence[Entry], table: Mapping[str, Sequence[Variation]], cases: Sequence[Case]
-) -> list[str]:
+@dataclass(frozen=True)
+class Table:
+    """The variations of bodies of one shape. `alike`: keys without any, and why those of another shape are enough."""
+
+    shape: str
+    variations: Mapping[str, Sequence[Variation]]
+    alike: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def variables(self) -> set[str]:
+        return set("xyz"[: DIMENSION[self.shape]])
+
+
+def gaps(schema: Sequence[Entry], tables: Sequence[Table], cases: Sequence[Case]) -> list[str]:
     """Everything that the schema has and the matrix does not try, or the other way round."""
-    schema = [_here(entry) for entry in schema if not _is_elsewhere(str(entry["key"]))]
-    keys = [str(entry["key"]) for entry in schema]
-    found = [
-        f"{key}: in the schema, but no variation of it in variations.py" for key in keys if not table.get(key)
-    ]
-    found += [f"{key}: has variations, but is not in the schema" for key in table if key not in keys]
+    schema = [entry for entry in schema if not _is_elsewhere(str(entry["key"]))]
+    found = [gap for table in tables for gap in _gaps_in(schema, table)]
+    shapes = {table.shape for table in tables}
     for entry in schema:
-        variations = table.get(str(entry["key"]))
-        if variations:
-            found += [f"{entry['key']}: {gap}" for gap in _gaps_of(entry, variations)]
-    return found + _sides_without(schema, cases)
+        if entry["key"] == "mesh.shape":
+            found += [
+                f"mesh.shape: no table of the shape {shape}"
+                for shape in entry["choices"]
+                if shape not in shapes
+            ]
+    return found + [gap for table in tables for gap in _sides_without(schema, table.shape, cases)]
 
 
 def _is_elsewhere(key: str) -> bool:
-    return any(is_below(key, prefix) for prefix in ELSEWHERE_KEYS)
+    return any(is_below(key, prefix) for prefix in ELSEWHERE)
 
 
-def _here(entry: Entry) -> Entry:
-    """The entry without the choices that are tried elsewhere."""
-    gone = ELSEWHERE_CHOICES.get(str(entry["key"]), ())
-    choices = [choice for choice in entry["choices"] or [] if choice not in gone]
-    return {**entry, "choices": choices or None}
+def _gaps_in(schema: Sequence[Entry], table: Table) -> list[str]:
+    keys = [str(entry["key"]) for entry in schema]
+    name = f"in the table of the {table.shape}"
+    listed = [*table.variations, *table.alike]
+    found = [f"{key}: in the schema, but no variation of it {name}" for key in keys if key not in listed]
+    found += [f"{key}: {name}, but not in the schema" for key in listed if key not in keys]
+    found += [f"{key}: alike, but has variations {name}" for key in table.alike if key in table.variations]
+    for entry in schema:
+        if variations := table.variations.get(str(entry["key"])):
+            own = _of_shape(entry, table.shape)
+            found += [f"{entry['key']}: {gap} {name}" for gap in _gaps_of(own, variations, table.variables)]
+    return found
 
 
-def _gaps_of(entry: Entry, variations: Sequence[Variation]) -> list[str]:
+def _of_shape(entry: Entry, shape: str) -> Entry:
+    """Of the shapes only its own can be chosen."""
+    return {**entry, "choices": [shape]} if entry["key"] == "mesh.shape" else entry
+
+
+def _gaps_of(entry: Entry, variations: Sequence[Variation], variables: set[str]) -> list[str]:
     key = str(entry["key"])
     touching = [variation for variation in variations if _touches(variation, key)]
     found = [] if len(touching) == len(variations) else ["a variation that does not touch it"]
@@ -101,7 +124,7 @@ def _gaps_of(entry: Entry, variations: Sequence[Variation]) -> list[str]:
     found += [f"no case with {form}" for form, is_it in _forms(entry).items() if not any(map(is_it, values))]
     found += [f"no case with the value {value!r}" for value in _listed(entry) if not _among(value, values)]
     if "expression" in str(entry["type"]):
-        found += [f"no expression with {name} in it" for name in _variables_missing(entry, values)]
+        found += [f"no expression with {name} in it" for name in _variables_missing(entry, values, variables)]
     low = (entry["range"] or {}).get("low")
     if low is not None and not entry["range"]["low_open"] and not _among(low, _flat(values)):
         found.append(f"no case with the lower end of its range, {low:g}")
@@ -156,24 +179,26 @@ def _among(value: Any, values: Iterable[Any]) -> bool:
     return value in _flat(values)
 
 
-def _variables_missing(entry: Entry, values: Iterable[Any]) -> list[str]:
+def _variables_missing(entry: Entry, values: Iterable[Any], places: set[str]) -> list[str]:
     used = {name for text in map(str, _flat(values)) for name in re.findall(r"[A-Za-z_]\w*", text)}
-    variables = {"x", "y"} if str(entry["key"]).startswith("initial.") else {"x", "y", "t"}
-    return sorted(variables - used)
+    times = set() if str(entry["key"]).startswith("initial.") else {"t"}
+    return sorted((places | times) - used)
 
 
-def _sides_without(schema: Sequence[Entry], cases: Sequence[Case]) -> list[str]:
+def _sides_without(schema: Sequence[Entry], shape: str, cases: Sequence[Case]) -> list[str]:
     """A boundary's key has to be tried on each side of each shape."""
-    shapes = [str(shape) for entry in schema if entry["key"] == "mesh.shape" for shape in entry["choices"]]
-    found = [
-        f"mesh.shape: the sides of a {shape} are not in scenes.py" for shape in shapes if shape not in SIDES
+    tried = {key for case in cases if _shape(case) == shape for key in case.scene}
+    keys = [str(entry["key"]) for entry in schema if ".NAME." in str(entry["key"])]
+    return [
+        f"{key}: no case on the side {side} of a {shape}"
+        for key in keys
+        for side in sorted(SIDES[shape])
+        if key.replace("NAME", side) not in tried
     ]
-    tried = {key for case in cases for key in case.scene}
-    for key in (str(entry["key"]) for entry in schema if ".NAME." in str(entry["key"])):
-        sides = {side for shape in shapes for side in SIDES.get(shape, ())}
-        missing = sorted(side for side in sides if key.replace("NAME", side) not in tried)
-        found += [f"{key}: no case on the side {side}" for side in missing]
-    return found
+
+
+def _shape(case: Case) -> str:
+    return str(case.scene.get("mesh.shape", "rectangle"))
 
 
 def read(text: str) -> list[Entry]:

@@ -1,4 +1,4 @@
-"""Scenes that must be refused, made from the schema alone: each needs exit code 2 and the key in the message."""
+"""Scenes that must be refused, made from the schema: each needs exit code 2 and the key in the message."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -22,7 +22,32 @@ def refusals(schema: Sequence[Entry]) -> list[Refusal]:
     # keys of a region need a mesh that has one: the C++ tests of the schema break their rules
     here = [entry for entry in schema if not str(entry["key"]).startswith("region.")]
     found = [refusal for entry in here for refusal in _of(entry, schema)]
-    return [*found, Refusal("mesh.no_such_key", "an unknown key", BASES[BASE] | {"mesh.no_such_key": 1})]
+    unknown = Refusal("mesh.no_such_key", "an unknown key", BASES[BASE] | {"mesh.no_such_key": 1})
+    return [*found, unknown, *_in_space(schema)]
+
+
+def _in_space(schema: Sequence[Entry]) -> Iterator[Refusal]:
+    """What belongs to plane bodies: their keys, vectors of two components, their matrices."""
+    base, plane = BASES[f"box {BASE}"], BASES[BASE]
+    yield Refusal("mesh.diagonal", "a box has none", base | {"mesh.diagonal": "left"})
+    yield Refusal("material.elasticity.plane", "not plane", base | {"material.elasticity.plane": "strain"})
+    for entry in schema:
+        key = str(entry["key"])
+        if str(entry["type"]).startswith("d ") and not key.startswith("region."):
+            names = [name for name in (*plane, "mesh.lower") if generic(name) == key]
+            short = {names[0]: base.get(names[0], [0.0] * 3)[:2]}
+            yield Refusal(key, "two components in space", base | short)
+    for key, rows in (("heat.conductivity", 2), ("heat.thermal_stress", 2), ("heat.strain_heating", 2)):
+        yield Refusal(key, "a matrix of the plane", base | {key: _unit(rows)})
+    for law in ("elasticity", "viscosity"):
+        key = f"material.{law}.tensor"
+        yield Refusal(
+            key, "a Voigt matrix of the plane", without(base, [f"material.{law}"]) | {key: _unit(3)}
+        )
+
+
+def _unit(rows: int) -> list[list[float]]:
+    return [[float(row == column) for column in range(rows)] for row in range(rows)]
 
 
 def _of(entry: Entry, schema: Sequence[Entry]) -> Iterator[Refusal]:

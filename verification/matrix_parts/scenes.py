@@ -8,9 +8,42 @@ from typing import Any, Final
 Flat = dict[str, Any]
 
 ABSENT: Final = None  # as the value of a change: the key, or everything below it, is left out
-SIDES = {"rectangle": ("left", "right", "bottom", "top")}  # of each mesh.shape
-OPPOSITE = {"left": "right", "right": "left", "bottom": "top", "top": "bottom"}
-BESIDE = {"left": "bottom", "right": "bottom", "bottom": "left", "top": "left"}
+# Of each mesh.shape
+DIMENSION = {"rectangle": 2, "box": 3}
+SIDES = {
+    "rectangle": ("left", "right", "bottom", "top"),
+    "box": ("left", "right", "bottom", "top", "front", "back"),
+}
+BODY: dict[str, dict[str, Any]] = {
+    "rectangle": {
+        "mesh.upper": [1.0, 0.8],
+        "mesh.cells": [4, 3],
+        "initial.temperature": "0.5*y + x",
+    },
+    "box": {
+        "mesh.shape": "box",
+        "mesh.upper": [1.0, 0.8, 0.9],
+        "mesh.cells": [3, 2, 2],
+        "initial.temperature": "0.5*y + x - 0.3*z",
+    },
+}
+AXIS = {"left": 0, "right": 0, "bottom": 1, "top": 1, "front": 2, "back": 2}
+OPPOSITE = {
+    "left": "right",
+    "right": "left",
+    "bottom": "top",
+    "top": "bottom",
+    "front": "back",
+    "back": "front",
+}
+BESIDE = {
+    "left": "bottom",
+    "right": "bottom",
+    "bottom": "left",
+    "top": "left",
+    "front": "left",
+    "back": "bottom",
+}
 
 # What needs [material], and what needs [heat]; NAME.key stands for that key of every boundary
 MECHANICAL = ("material", "load", "initial.displacement", "initial.velocity") + (
@@ -49,17 +82,26 @@ def write(path: Path, scene: Mapping[str, Any]) -> None:
     path.write_text("".join(lines), encoding="utf-8")
 
 
-def _on_axes(side: str, along_normal: Any, along_side: Any) -> list[Any]:
-    """The two components of a vector given by its part along the side's axis and the other one."""
-    return [along_normal, along_side] if side in ("left", "right") else [along_side, along_normal]
+def _on_axes(side: str, dimension: int, along_normal: Any, *along_side: Any) -> list[Any]:
+    """The components of a vector given by its part along the side's axis and those along the others."""
+    components = list(along_side[: dimension - 1])
+    components.insert(AXIS[side], along_normal)
+    return components
 
 
-def contact_laws(side: str) -> Flat:
-    """All laws on that side, whose gap varies along it and is closed nearly everywhere."""
-    along = "y" if side in ("left", "right") else "x"
+def gap(side: str, shape: str) -> str:
+    """Varies along the side, and is closed nearly everywhere."""
+    along = [name for axis, name in enumerate("xyz"[: DIMENSION[shape]]) if axis != AXIS[side]]
+    if len(along) == 1:
+        return f"0.004*cos(5*{along[0]}) - 0.004"
+    return f"0.004*cos(5*{along[0]}) + 0.003*sin(4*{along[1]}) - 0.006"
+
+
+def contact_laws(side: str, shape: str = "rectangle") -> Flat:
+    """All laws on that side."""
     contact = f"boundary.{side}.contact"
     return {
-        f"{contact}.gap": f"0.004*cos(5*{along}) - 0.004",
+        f"{contact}.gap": gap(side, shape),
         f"{contact}.compliance.stiffness": 200.0,
         f"{contact}.friction.coefficient": 0.3,
         f"{contact}.friction.regularisation": 5e-3,
@@ -69,17 +111,20 @@ def contact_laws(side: str) -> Flat:
     }
 
 
-def contact_on(side: str) -> Flat:
+def contact_on(side: str, shape: str = "rectangle") -> Flat:
     """A body that a lid presses onto a foundation at that side, with every physics there is.
 
     Stiffness, viscosity, inertia and loads are of one size, so that each of them is seen in the result, and so
-    small in number (h = 1/4) that the matrices have condition numbers below 1e3.
+    small in number (h = 1/4, in space 2/5) that the matrices have condition numbers below 1e3.
     """
-    lid, beside = OPPOSITE[side], BESIDE[side]
-    outward = 1.0 if side in ("right", "top") else -1.0
+    dimension, lid, beside = DIMENSION[shape], OPPOSITE[side], BESIDE[side]
+    outward = 1.0 if side in ("right", "top", "back") else -1.0
+
+    def on_axes(along_normal: Any, *along_side: Any) -> list[Any]:
+        return _on_axes(side, dimension, along_normal, *along_side)
+
     return {
-        "mesh.upper": [1.0, 0.8],
-        "mesh.cells": [4, 3],
+        **BODY[shape],
         "time.end": 0.3,
         "time.steps": 3,
         "material.density": 1.5,
@@ -92,29 +137,33 @@ def contact_on(side: str) -> Flat:
         "heat.source": 1.0,
         "heat.thermal_stress": 0.3,
         "heat.strain_heating": 0.4,
-        "load.body_force": _on_axes(side, outward, 0.3),
-        "initial.displacement": _on_axes(side, 0.005 * outward, "0.004*x*y"),
-        "initial.velocity": _on_axes(side, 0.05 * outward, "0.1*x - 0.05*y"),
-        "initial.temperature": "0.5*y + x",
-        f"boundary.{lid}.displacement": _on_axes(side, f"{outward}*(0.01 + 0.05*t)", "0.02*t"),
+        "load.body_force": on_axes(outward, 0.3, -0.2),
+        "initial.displacement": on_axes(0.005 * outward, "0.004*x*y", "0.003*z*x"),
+        "initial.velocity": on_axes(0.05 * outward, "0.1*x - 0.05*y", "0.06*z - 0.04*x"),
+        f"boundary.{lid}.displacement": on_axes(f"{outward}*(0.01 + 0.05*t)", "0.02*t", "-0.03*t*x"),
         f"boundary.{lid}.temperature": 0.5,
-        f"boundary.{beside}.traction": [0.8, 0.2],
+        f"boundary.{beside}.traction": [0.8, 0.2, -0.3][:dimension],
         f"boundary.{beside}.heat_flux": 0.6,
-        **contact_laws(side),
+        **contact_laws(side, shape),
     }
 
 
-def _bases() -> dict[str, Flat]:
-    everything = contact_on("bottom")
+def base_name(shape: str, name: str) -> str:
+    return name if shape == "rectangle" else f"{shape} {name}"
+
+
+def _bases(shape: str) -> dict[str, Flat]:
+    everything = contact_on("bottom", shape)
     coupled = without(everything, ["boundary.bottom"])
-    return {
-        **{f"contact {side}": contact_on(side) for side in SIDES["rectangle"]},
+    bases = {
+        **{f"contact {side}": contact_on(side, shape) for side in SIDES[shape]},
         "coupled": coupled,
         "mechanics": without(coupled, THERMAL),
         "heat": without(coupled, MECHANICAL),
         "contact without heat": without(everything, THERMAL),
         "contact without mechanics": without(everything, MECHANICAL),
     }
+    return {base_name(shape, name): scene for name, scene in bases.items()}
 
 
-BASES = _bases()
+BASES = {name: scene for shape in SIDES for name, scene in _bases(shape).items()}

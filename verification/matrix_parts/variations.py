@@ -1,7 +1,8 @@
-"""The table: for every key of the schema the values that are tried. coverage.py says what must be in it."""
+"""The table of plane bodies: for every key of the schema the values that are tried. coverage.py says what must be in
+it, variations_in_space.py has the one of bodies in space."""
 
 from matrix_parts.cases import Variation, vary
-from matrix_parts.scenes import ABSENT, BESIDE, OPPOSITE, SIDES
+from matrix_parts.scenes import ABSENT, BESIDE, OPPOSITE, SIDES, base_name
 
 DEFAULT = "the default, written out"
 NAME_ONLY = "a name"
@@ -177,9 +178,10 @@ def _conditions(side: str) -> dict[str, list[Variation]]:
     }
 
 
-def _contact(side: str) -> dict[str, list[Variation]]:
-    base, contact = f"contact {side}", f"boundary.{side}.contact"
-    along = "y" if side in ("left", "right") else "x"
+def contact_on(side: str, shape: str = "rectangle") -> dict[str, list[Variation]]:
+    base, contact = base_name(shape, f"contact {side}"), f"boundary.{side}.contact"
+    without_mechanics = base_name(shape, "contact without mechanics")
+    along, z = "y" if side in ("left", "right") else "x", "" if shape == "rectangle" else " + 4*z"
     gap, quadrature = f"{contact}.gap", f"{contact}.quadrature"
     compliance, friction, conductance = (
         f"{contact}.{law}" for law in ("compliance", "friction", "conductance")
@@ -188,7 +190,7 @@ def _contact(side: str) -> dict[str, list[Variation]]:
     foundation = f"{conductance}.foundation_temperature"
     return {
         "contact.gap": [
-            *vary(base, gap, -0.01, "0.01*sin(9*x - 7*y - 8*t) - 0.005", ABSENT),
+            *vary(base, gap, -0.01, f"0.01*sin(9*x - 7*y{z} - 8*t) - 0.005", ABSENT),
             *vary(base, gap, 1.0),  # never closed
         ],
         "contact.quadrature": [
@@ -211,12 +213,12 @@ def _contact(side: str) -> dict[str, list[Variation]]:
         "contact.conductance.coefficient": [
             *vary(base, f"{conductance}.coefficient", 0.0, 9.0),
             Variation(base, {conductance: ABSENT}),
-            Variation("contact without mechanics", {"boundary.bottom": ABSENT}),
+            Variation(without_mechanics, {"boundary.bottom": ABSENT}),
         ],
         "contact.conductance.onset": vary(base, f"{conductance}.onset", 1e-5, 3.0),
         "contact.conductance.foundation_temperature": [
-            *vary(base, foundation, -2.0, f"4*{along} - 2 + 3*t*x*y"),
-            *vary("contact without mechanics", foundation.replace(side, "bottom"), "2 + x*y - 5*t"),
+            *vary(base, foundation, -2.0, f"4*{along} - 2 + 3*t*x*y{z}"),
+            *vary(without_mechanics, foundation.replace(side, "bottom"), f"2 + x*y - 5*t{z}"),
         ],
         "contact.conductance.limit": vary(base, f"{conductance}.limit", 0.5, 1.0),
     }
@@ -257,7 +259,7 @@ def _solver_and_output() -> dict[str, list[Variation]]:
 def _variations() -> dict[str, list[Variation]]:
     table = {**_mesh_and_time(), **_material(), **_heat_and_loads(), **_solver_and_output()}
     for side in SIDES["rectangle"]:
-        for key, variations in {**_conditions(side), **_contact(side)}.items():
+        for key, variations in {**_conditions(side), **contact_on(side)}.items():
             table.setdefault(f"boundary.NAME.{key}", []).extend(variations)
     table["boundary.NAME.contact.quadrature"] += _every_rule()
     return table

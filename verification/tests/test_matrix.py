@@ -26,18 +26,47 @@ def entry(key: str, kind: str, **others: Any) -> dict[str, Any]:
     return {"key": key, "type": kind, "excludes": [], "needs": [], "example": 1, **common, **others}
 
 
+def table(variations: dict[str, list[Variation]], shape: str = "rectangle", **alike: str) -> coverage.Table:
+    """`alike`: keys without their dots."""
+    return coverage.Table(shape, variations, {key.replace("_", "."): reason for key, reason in alike.items()})
+
+
 def gaps(schema: dict[str, Any], *variations: Variation) -> list[str]:
-    return coverage.gaps([schema], {str(schema["key"]): variations}, [])
+    """Without the name of the table at the end of each."""
+    found = coverage.gaps([schema], [table({str(schema["key"]): list(variations)})], [])
+    return [gap.removesuffix(" in the table of the rectangle") for gap in found]
 
 
 class WhatIsDemanded(unittest.TestCase):
     def test_a_new_key_without_a_variation_is_named(self) -> None:
-        found = coverage.gaps([entry("heat.new", "number")], {}, [])
-        self.assertEqual(found, ["heat.new: in the schema, but no variation of it in variations.py"])
+        found = coverage.gaps([entry("heat.new", "number")], [table({})], [])
+        self.assertEqual(
+            found, ["heat.new: in the schema, but no variation of it in the table of the rectangle"]
+        )
+
+    def test_each_shape_has_its_table(self) -> None:
+        plane = table({"heat.new": vary("heat", "heat.new", 2.0)})
+        schema = [entry("heat.new", "number")]
+        self.assertEqual(coverage.gaps(schema, [plane], []), [])
+        found = coverage.gaps(schema, [plane, table({}, "box")], [])
+        self.assertEqual(found, ["heat.new: in the schema, but no variation of it in the table of the box"])
+        self.assertEqual(coverage.gaps(schema, [plane, table({}, "box", heat_new="reason")], []), [])
+
+    def test_a_key_that_is_alike_in_space_must_be_there_and_have_no_variation(self) -> None:
+        found = coverage.gaps([], [table({}, "box", heat_old="reason")], [])
+        self.assertEqual(found, ["heat.old: in the table of the box, but not in the schema"])
+        both = table({"heat.new": vary("box heat", "heat.new", 2.0)}, "box", heat_new="reason")
+        found = coverage.gaps([entry("heat.new", "number")], [both], [])
+        self.assertEqual(found, ["heat.new: alike, but has variations in the table of the box"])
+
+    def test_expressions_in_space_have_z(self) -> None:
+        in_plane = table({"heat.source": vary("box heat", "heat.source", 1.0, "x*y*t")}, "box")
+        found = coverage.gaps([entry("heat.source", "expression")], [in_plane], [])
+        self.assertEqual(found, ["heat.source: no expression with z in it in the table of the box"])
 
     def test_a_variation_of_a_key_that_is_gone_is_named(self) -> None:
-        found = coverage.gaps([], {"heat.old": vary("heat", "heat.old", 1.0)}, [])
-        self.assertEqual(found, ["heat.old: has variations, but is not in the schema"])
+        found = coverage.gaps([], [table({"heat.old": vary("heat", "heat.old", 1.0)})], [])
+        self.assertEqual(found, ["heat.old: in the table of the rectangle, but not in the schema"])
 
     def test_every_choice(self) -> None:
         cell = entry("mesh.cell", "choice", choices=["simplex", "tensor"], default="simplex")
@@ -74,14 +103,19 @@ class WhatIsDemanded(unittest.TestCase):
         self.assertEqual(gaps(limit, *vary("heat", "heat.capacity", 3.0, ABSENT)), [])
 
     def test_every_side_of_every_shape(self) -> None:
-        shape = entry("mesh.shape", "choice", choices=["rectangle", "torus"])
+        shape = entry("mesh.shape", "choice", choices=["rectangle", "box", "torus"])
         flux = entry("boundary.NAME.heat_flux", "number")
-        variations = vary("contact left", "boundary.right.heat_flux", 1.0)
-        cases = [variation.case("boundary.NAME.heat_flux") for variation in variations]
-        found = coverage.gaps([shape, flux], {"boundary.NAME.heat_flux": variations}, cases)
-        self.assertIn("mesh.shape: the sides of a torus are not in scenes.py", found)
-        self.assertIn("boundary.NAME.heat_flux: no case on the side top", found)
-        self.assertNotIn("boundary.NAME.heat_flux: no case on the side right", found)
+        tables, cases = [], []
+        for name, base in (("rectangle", "contact left"), ("box", "box contact left")):
+            fluxes = vary(base, "boundary.right.heat_flux", 1.0)
+            tables.append(table({flux["key"]: fluxes, "mesh.shape": vary(base, "mesh.shape", name)}, name))
+            cases += [variation.case(flux["key"]) for variation in fluxes]
+        found = coverage.gaps([shape, flux], tables, cases)
+        self.assertIn("mesh.shape: no table of the shape torus", found)
+        self.assertIn("boundary.NAME.heat_flux: no case on the side top of a rectangle", found)
+        self.assertIn("boundary.NAME.heat_flux: no case on the side back of a box", found)
+        missing = [gap for gap in found if "side right" in gap or "side bottom" in gap]
+        self.assertEqual(missing, [], "the bases load the bottom")
 
 
 class Scenes(unittest.TestCase):
@@ -111,6 +145,12 @@ class Pairs(unittest.TestCase):
 
 
 class Refusals(unittest.TestCase):
+    def test_vectors_of_the_plane_are_refused_in_space(self) -> None:
+        force = entry("load.body_force", "d expressions", example=[0, 1])
+        found = {refusal.key: refusal.scene for refusal in refusals([force]) if "space" in refusal.why}
+        self.assertEqual(found["load.body_force"]["mesh.shape"], "box")
+        self.assertEqual(len(found["load.body_force"]["load.body_force"]), 2)
+
     def test_a_scene_that_lacks_what_a_key_needs_has_no_other_mistake(self) -> None:
         needy = entry("load.body_force", "2 expressions", needs=["material"], example=[0, 1])
         other = entry("material.density", "number", needs=[])

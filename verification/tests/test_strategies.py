@@ -99,7 +99,7 @@ class WhereTheTimeGoes(unittest.TestCase):
         """Within 5 %: between them are a few assignments, behind them MPI's end. Another program may need the cores
         just then: one of three runs is enough."""
         for strategy, processes in (("condensed", 1), ("newton-krylov", 1), ("newton-krylov", 2)):
-            shares = []
+            shares: list[float] = []
             while len(shares) < 3 and (not shares or shares[-1] < 0.95):
                 wall, seconds = self.seconds(strategy, processes)
                 parts = sum(seconds[name] for name in PARTS)

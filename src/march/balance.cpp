@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "error.h"
 #include "march/vectors.h"
@@ -67,10 +66,10 @@ std::vector<KeptSystem> Balance::kept_systems() const {
 }
 
 void Balance::take_up(const std::vector<KeptSystem>& kept) {
-    for (const KeptSystem& system : std::views::reverse(kept)) {
+    std::for_each(kept.rbegin(), kept.rend(), [this](const KeptSystem& system) {
         use(system.tau);
         problem().take_up(system.derivative);
-    }
+    });
 }
 
 std::unique_ptr<Balance::System> Balance::prepare(double tau) {

@@ -11,8 +11,8 @@ std::vector<double> to_whole(const NodeNumbers& numbers, const Team& team,
     }
     const std::size_t nodes = numbers.global.size();
     // a process without nodes does not know
-    const auto components =
-        static_cast<std::size_t>(team.max(nodes == 0 ? 0.0 : static_cast<double>(values.size() / nodes)));
+    const std::size_t here = nodes == 0 ? 0 : values.size() / nodes;
+    const auto components = static_cast<std::size_t>(team.max(static_cast<double>(here)));
     // every number plus -0 is that number, also 0 and -0
     std::vector<double> whole(static_cast<std::size_t>(numbers.total()) * components, -0.0);
     for (std::size_t i = 0; i < nodes; ++i) {

@@ -278,6 +278,29 @@ TEST(StressProbe, MeanOverTheCell) {
     }
 }
 
+/// Uniform stress of a body whose cells differ in size, and von Mises stress of the state as it is when
+/// asked.
+TEST(StressProbe, CellsOfAnySizeAtAnyTime) {
+    scene::Scene scene = scene::read(
+        "mesh.cells = [2, 1]\ntime = {end = 1, steps = 1}\n"
+        "material.elasticity.tensor = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n");
+    mesh::Mesh mesh = mesh::make_mesh(scene.mesh);
+    for (mesh::Point& x : mesh.points) {
+        x[0] *= x[0];
+    }
+    scene.mesh.file = std::make_shared<const mesh::Mesh>(std::move(mesh));
+    const Discretisation at(scene);
+    auto u = at.nodal([](double x, double) { return std::array{0.25 * x, 0.0}; });
+    const std::vector<double> w(u.size(), 0.0);
+    StressProbe probe(at.scene, at.mesh, at.space, u, w, {});
+    for (const double expected : {0.25, 0.5}) {
+        for (const double stress : probe.von_mises()) {  // of (xx, 0, 0): |xx|
+            EXPECT_NEAR(stress, expected, 1e-15);
+        }
+        std::ranges::for_each(u, [](double& value) { value *= 2; });
+    }
+}
+
 /// The heat's tensors and the mechanical ones, zero where the scene has none; without friction nothing
 /// sticks.
 TEST(Constants, AbsentLawsAreZero) {

@@ -127,7 +127,9 @@ TEST_P(Assembly, RefusesSquareFormsThatAreNotSymmetric) {
 
 TEST_P(Assembly, MassAndCapacityAddUp) {
     const Eigen::MatrixXd M = matrix("inertia.mass", 2, 2), C = matrix("heat_capacity.capacity", 1, 1);
-    const auto tolerance = [&](const Eigen::MatrixXd& A) { return round_off(A) * A.rows(); };
+    const auto tolerance = [&](const Eigen::MatrixXd& A) {
+        return round_off(A) * static_cast<double>(A.rows());
+    };
     for (int a = 0; a < 2; ++a) {
         for (int b = 0; b < 2; ++b) {
             EXPECT_NEAR(translation(a).dot(M * translation(b)), a == b ? 1.7 * area : 0.0, tolerance(M));
@@ -188,7 +190,7 @@ TEST_P(Assembly, LoadsAddUp) {
     assemble_facets(side, mesh.facets, space.dofmap, 2, traction);
     const auto total = [](const std::vector<double>& vector, int component) {
         double sum = 0;
-        for (std::size_t i = static_cast<std::size_t>(component); i < vector.size(); i += 2) {
+        for (auto i = static_cast<std::size_t>(component); i < vector.size(); i += 2) {
             sum += vector[i];
         }
         return sum;

@@ -210,7 +210,8 @@ inline std::vector<Polynomial> friction_jacobian(const Situation& at, std::size_
 /// Integral of sigma over the cell, all six components.
 inline std::vector<Polynomial> stress(const Situation& at) {
     const auto e = strain(at.triangle, at.u), de = strain(at.triangle, at.w);
-    const auto& [E, V, M] = std::tie(at.constants.at("E"), at.constants.at("Visc"), at.constants.at("M"));
+    const std::vector<double>&E = at.constants.at("E"), &V = at.constants.at("Visc"),
+          &M = at.constants.at("M");
     const auto row = [&](const std::vector<double>& matrix, std::size_t i,
                          const std::array<Polynomial, 3>& strain) {
         return strain[0] * matrix[3 * i] + strain[1] * matrix[3 * i + 1] + strain[2] * matrix[3 * i + 2];
@@ -234,11 +235,13 @@ inline double von_mises(const std::vector<double>& s) {
 
 inline Integrands on_contact(
     std::function<std::vector<Polynomial>(const Situation&, const Contact&)> integrands) {
-    return [=](const Situation& at, std::size_t facet) { return integrands(at, Contact(at, facet)); };
+    return [integrands = std::move(integrands)](const Situation& at, std::size_t facet) {
+        return integrands(at, Contact(at, facet));
+    };
 }
 
 inline Integrands on_cell(std::function<std::vector<Polynomial>(const Situation&)> integrands) {
-    return [=](const Situation& at, std::size_t) { return integrands(at); };
+    return [integrands = std::move(integrands)](const Situation& at, std::size_t) { return integrands(at); };
 }
 
 /// By the names of the kernels.

@@ -216,7 +216,7 @@ std::vector<Named> kernels_of(const std::string& cell) {
 
 class Kernels : public testing::TestWithParam<Named> {
   protected:
-    void check(const ClosedForm& form, const Situation& at, std::size_t facet, int rule) {
+    static void check(const ClosedForm& form, const Situation& at, std::size_t facet, int rule) {
         std::vector<double> expected;
         for (const Polynomial& p : form.integrands(at, facet)) {
             expected.push_back(form.domain == Domain::cell

@@ -18,7 +18,7 @@ inline std::string as_text(const std::uint8_t* data, std::size_t size) {
 
 /// A file that holds the bytes, this process's own, used again by every input.
 inline std::filesystem::path as_file(const std::string& bytes, const std::string& name) {
-    const std::filesystem::path path =
+    std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("fuzz-" + std::to_string(getpid()) + "-" + name);
     std::ofstream(path, std::ios::binary) << bytes;
     return path;

@@ -70,7 +70,7 @@ class FullStep {
     Matrix tangent(std::vector<Law>& laws, int components) const {
         const auto n = static_cast<Eigen::Index>(at_.node_count()) * components;
         Matrix sum = Matrix::Zero(n, n);
-        const std::size_t size = static_cast<std::size_t>(at_.space.dofmap.nodes_per_cell * components);
+        const auto size = static_cast<std::size_t>(at_.space.dofmap.nodes_per_cell * components);
         for (Law& law : laws) {
             for (const mesh::Facet& facet : law.surface->facets) {
                 std::vector<double> tensor(size * size, 0.0);

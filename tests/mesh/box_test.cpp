@@ -42,7 +42,7 @@ TEST_P(Shape, SidesAreWhereTheirNamesSay) {
         {"top", {1, true}},   {"front", {2, false}}, {"back", {2, true}}};
     std::size_t outside = 0;
     for (const auto& [key, cells] : facets) {
-        outside += cells.size() == 1;
+        outside += cells.size() == 1 ? 1 : 0;
     }
     EXPECT_EQ(mesh.facets.size(), outside);
     EXPECT_TRUE(std::ranges::is_sorted(mesh.boundary_names));

@@ -19,11 +19,21 @@ std::string failure_text(const std::string& name, const solve::NewtonResult& fir
                        " iterations (" + solve::describe(first.end) + ", relative residual " +
                        short_text(first.residual) + ")";
     if (ladder != nullptr) {
-        text += "; continuation in friction.regularisation stopped after " + std::to_string(ladder->rungs) +
-                " solves (" + solve::describe(ladder->newton.end) + ", relative residual " +
-                short_text(ladder->newton.residual) + ")";
+        text += std::string("; continuation in ") +
+                (name == "heat" ? "conductance.limit" : "friction.regularisation") + " stopped after " +
+                std::to_string(ladder->rungs) + " solves (" + solve::describe(ladder->newton.end) +
+                ", relative residual " + short_text(ladder->newton.residual) + ")";
     }
     return text;
+}
+
+SolveReport report_of(const solve::NewtonResult& result) {
+    SolveReport report{.iterations = result.iterations};
+    if (result.at_round_off) {
+        report.at_round_off = 1;
+        report.round_off_residual = result.residual;
+    }
+    return report;
 }
 
 }  // namespace
@@ -74,7 +84,7 @@ void Balance::take_up(const std::vector<KeptSystem>& kept) {
 
 std::unique_ptr<Balance::System> Balance::prepare(double tau) {
     auto system = std::make_unique<System>(System{tau, assembly_(tau), nullptr});
-    const bool symmetric = contact_.smallest_regularisation() == 0;
+    const bool symmetric = !contact_.has_friction();
     const solve::StepProblemInput input{name_,          system->matrix, prescribed_.fixed(),
                                         contact_nodes_, symmetric,      options_};
     try {
@@ -141,6 +151,7 @@ SolveReport Balance::solve(std::vector<double>& rhs) {
                 throw NumericsError(std::string(failure.what()) + "; " + *text);
             }
         }
+        problem().finish(x, *unknown_);
         throw;
     }
     const bool finite = timed(seconds_.triangular_solves, [&] { return problem().finish(x, *unknown_); });
@@ -154,7 +165,7 @@ SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
     const Eigen::VectorXd start = x;
     const solve::NewtonResult direct = problem().solve(contact_, x);
     if (direct.end == solve::NewtonEnd::converged) {
-        return {direct.iterations, 0};
+        return report_of(direct);
     }
     const double target = contact_.smallest_regularisation();
     if (target == 0) {
@@ -164,15 +175,20 @@ SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
         contact_.raise_regularisation(floor);
         return problem().solve(contact_, value);
     };
-    // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear
+    // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear; and the
+    // largest difference to the foundation's temperature: conductance limited there is linear
     x = start;
-    const double fastest = problem().largest_unknown(start);
+    const double fastest =
+        problem().largest_unknown(start) + strategy_->team().max(contact_.largest_foundation());
     const solve::ContinuationResult ladder = solve::continue_regularisation(rung, fastest, target, x);
     contact_.raise_regularisation(0);
     if (ladder.newton.end != solve::NewtonEnd::converged) {
         throw StepFailure(failure_text(name_, direct, &ladder));
     }
-    return {direct.iterations + ladder.newton.iterations, ladder.rungs};
+    SolveReport report = report_of(ladder.newton);
+    report.iterations += direct.iterations;
+    report.retries = ladder.rungs;
+    return report;
 }
 
 }  // namespace thermocontact::march

@@ -46,8 +46,9 @@ class Balance {
     void use(double tau);
 
     /// `unknown` holds the prescribed values and a start value elsewhere; `rhs` [dofs] is used up. Throws
-    /// StepFailure if no solution is found, having tried Newton and continuation in the regularisation;
-    /// NumericsError if the body was free to move at the start value: no smaller step holds it.
+    /// StepFailure, with the last iterate in `unknown`, if no solution is found, having tried Newton and
+    /// continuation in the regularisation; NumericsError if the body was free to move at the start value: no
+    /// smaller step holds it.
     SolveReport solve(std::vector<double>& rhs);
 
     /// What the systems prepared have kept from earlier solves and can hand on, the one in use first; and an

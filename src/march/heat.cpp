@@ -1,5 +1,6 @@
 #include "march/heat.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "march/assembler.h"
@@ -11,12 +12,14 @@ namespace {
 
 model::FacetTerm contact_term(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
                               const model::ContactSurfaces& surfaces, const std::vector<double>& displacement,
-                              std::vector<double>& temperature) {
-    model::FacetTerm term(space, 1, temperature);
-    for (const auto& surface : surfaces) {
+                              const std::vector<std::vector<double>>& foundations,
+                              std::vector<double>& excess) {
+    model::FacetTerm term(space, 1, excess);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const auto& surface = surfaces[i];
         if (surface->laws.conductance) {
-            const fem::Fields fields{{"theta", {&temperature, 1, &space.dofmap}},
-                                     {"theta_F", {&surface->foundation_temperature, 1, &space.dofmap}},
+            const fem::Fields fields{{"theta", {&excess, 1, &space.dofmap}},
+                                     {"theta_F", {&foundations[i], 1, &space.dofmap}},
                                      {"u", {&displacement, scene.dimension, &space.dofmap}},
                                      {"g", {&surface->gap, 1, &space.dofmap}}};
             term.add("conductance", mesh, *surface, model::contact_constants(surface->laws, 0.0), fields);
@@ -48,7 +51,11 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
     : team_(&strategy.team()),
       capacity_density_(model::uniform_capacity(scene)),
       loads_(parallel::together(*team_, [&] { return model::Loads::thermal(scene, mesh, space, sources); })),
-      stage_(initial.temperature) {
+      surfaces_(&surfaces),
+      stage_(initial.temperature),
+      reference_(initial.temperature.size(), 0.0),
+      excess_(initial.temperature),
+      foundations_(surfaces.size()) {
     const Assembler assemble{scene, mesh, space, graph};
     capacity_ = assemble.when(scene.heat->capacity.has_value(), "heat_capacity.capacity", 1, 1);
     conduction_ = assemble.when(scene.heat->conductivity.has_value(), "conduction.conduction", 1, 1);
@@ -64,16 +71,35 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
         [&graph, this](double tau) { return system_matrix(graph, tau, capacity_, conduction_); },
         model::Prescribed::temperature(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::conductance),
-        contact_term(scene, mesh, space, surfaces, *stage_displacement, stage_), space, strategy, stage_);
-    for (auto* products :
-         {&stored_, &base_stored_, &new_stored_, &conducted_, &outflow_, &strain_source_, &rhs_}) {
+        contact_term(scene, mesh, space, surfaces, *stage_displacement, foundations_, excess_), space,
+        strategy, excess_);
+    for (auto* products : {&stored_, &base_stored_, &new_stored_, &conducted_, &outflow_, &strain_source_,
+                           &rhs_, &of_reference_}) {
         products->resize(stage_.size());
     }
+    refer_to(nullptr);
     restart(initial);
 }
 
 void Heat::restart(const State& state) {
     product(capacity_, state.temperature, stored_);
+}
+
+/// theta_ref is the given temperature where the foundation conducts, else 0; 0 everywhere without one.
+void Heat::refer_to(const std::vector<double>* temperature) {
+    std::ranges::fill(reference_, 0.0);
+    for (std::size_t s = 0; s < surfaces_->size(); ++s) {
+        const model::ContactSurface& surface = *(*surfaces_)[s];
+        if (!surface.laws.conductance) {
+            continue;
+        }
+        foundations_[s].assign(reference_.size(), 0.0);
+        for (const std::int32_t node : surface.nodes) {
+            const auto i = static_cast<std::size_t>(node);
+            reference_[i] = temperature != nullptr ? (*temperature)[i] : 0.0;
+            foundations_[s][i] = surface.foundation_temperature[i] - reference_[i];
+        }
+    }
 }
 
 void Heat::begin(const StepRule& rule, const State& state) {
@@ -94,11 +120,67 @@ void Heat::begin(const StepRule& rule, const State& state) {
     }
 }
 
+/// Where conductance is so large that the last bit of a temperature is worth more flow than the tolerance,
+/// the step is solved once more for the difference to what was found, which has all its digits.
 SolveReport Heat::solve(const std::vector<double>& displacement) {
     product(strain_heating_, displacement, strain_source_);
+    const std::vector<double> start = stage_;
+    refer_to(nullptr);
+    std::optional<SolveReport> first;
+    try {
+        first = solve_from_reference();
+    } catch (const StepFailure&) {
+        const bool finite = std::ranges::all_of(stage_, [](double theta) { return std::isfinite(theta); });
+        if (balance_->contact().empty() || team_->any(!finite)) {
+            throw;
+        }
+    }
+    if (first && first->at_round_off == 0) {
+        return *first;
+    }
+    const std::vector<double> found = stage_;
+    try {
+        refer_to(&found);
+        SolveReport report = solve_from_reference();
+        report.iterations += first ? first->iterations : 0;
+        report.retries += 1 + (first ? first->retries : 0);
+        return report;
+    } catch (const StepFailure&) {
+        if (!first) {
+            stage_ = start;
+            throw;
+        }
+    }
+    refer_to(nullptr);
+    stage_ = excess_ = found;
+    return *first;
+}
+
+SolveReport Heat::solve_from_reference() {
     as_eigen(rhs_) =
         as_eigen(*load_) + as_eigen(base_stored()) / rule_.tau + as_eigen(std::as_const(strain_source_));
-    return balance_->solve(rhs_);
+    if (std::ranges::any_of(reference_, [](double theta) { return theta != 0; })) {
+        product(capacity_, reference_, of_reference_);
+        as_eigen(rhs_) -= as_eigen(std::as_const(of_reference_)) / rule_.tau;
+        product(conduction_, reference_, of_reference_);
+        as_eigen(rhs_) -= as_eigen(std::as_const(of_reference_));
+    }
+    as_eigen(excess_) = as_eigen(std::as_const(stage_)) - as_eigen(std::as_const(reference_));
+    const auto take = [&] {
+        for (std::size_t i = 0; i < stage_.size(); ++i) {
+            if (balance_->prescribed().fixed()[i] == 0) {
+                stage_[i] = reference_[i] + excess_[i];
+            }
+        }
+    };
+    try {
+        const SolveReport report = balance_->solve(rhs_);
+        take();
+        return report;
+    } catch (const StepFailure&) {
+        take();
+        throw;
+    }
 }
 
 /// The prescribed temperatures are those of begin(), to the last bit.

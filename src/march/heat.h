@@ -4,6 +4,8 @@
 ///   theta_F) eta
 ///     = (q0, eta) + (heat flux, eta)_N + (R : eps(u_{n-1}), eta).
 ///
+/// Solved for theta_n - theta_ref; theta_ref is 0, or near the solution where its last bit matters (solve()).
+///
 /// That is backward Euler with lagged coupling; in the other schemes theta_n and u_n are the values at the
 /// stage, theta_{n-1} is theta_hat, k is tau (step_rule.h), and the strain heating takes u_n, just computed.
 #pragma once
@@ -82,6 +84,8 @@ class Heat {
 
     void audit();
     Flows flows();
+    void refer_to(const std::vector<double>* temperature);
+    SolveReport solve_from_reference();
     const std::vector<double>& base_stored() const { return rule_.memory() == 0 ? stored_ : base_stored_; }
 
     /// ||theta||_L2 from the product with the capacity matrix, which is c times the Gram matrix, or, without
@@ -97,13 +101,16 @@ class Heat {
     // of the step at hand
     StepRule rule_{};
     const std::vector<double>* load_ = nullptr;
-    std::vector<double> expected_,
-        stage_;  ///< theta_s before and after it is solved; the contact forms read it
-    std::vector<double> new_temperature_;  ///< at the end of the step
-    std::vector<double> no_displacement_;  ///< for contact forms of a scene without mechanics
+    const model::ContactSurfaces* surfaces_;
+    std::vector<double> expected_, stage_;  ///< theta_s before and after it is solved
+    std::vector<double> reference_;         ///< theta_ref
+    std::vector<double> excess_;            ///< theta_s - theta_ref, which is solved for; contact reads it
+    std::vector<std::vector<double>> foundations_;  ///< [surfaces]: theta_F - theta_ref likewise
+    std::vector<double> new_temperature_;           ///< at the end of the step
+    std::vector<double> no_displacement_;           ///< for contact forms of a scene without mechanics
     std::unique_ptr<Balance> balance_;
     std::vector<double> stored_, base_stored_, new_stored_;  ///< C theta, C theta_hat and C theta_new
-    std::vector<double> rhs_;
+    std::vector<double> rhs_, of_reference_;
     std::vector<double> outflow_;        ///< contact conductance, assembled
     std::vector<double> conducted_;      ///< K theta_s
     std::vector<double> strain_source_;  ///< R : eps(u), assembled

@@ -169,7 +169,7 @@ void Momentum::complete(const State& state) {
 }
 
 bool Momentum::rates_matter() const {
-    return mass_ || damping_ || balance_->contact().smallest_regularisation() > 0;
+    return mass_ || damping_ || balance_->contact().has_friction();
 }
 
 FieldError Momentum::displacement_error(const State& state) const {

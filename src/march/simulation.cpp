@@ -304,6 +304,10 @@ void Simulation::count_step(const StepCounts& counts) {
     totals_.iterations += iterations;
     totals_.max_iterations_in_a_step = std::max(totals_.max_iterations_in_a_step, iterations);
     totals_.retries += counts.momentum.retries + counts.heat.retries;
+    for (const SolveReport& report : {counts.momentum, counts.heat}) {
+        totals_.at_round_off += report.at_round_off;
+        totals_.round_off_residual = std::max(totals_.round_off_residual, report.round_off_residual);
+    }
     totals_.failed_attempts += counts.failed_attempts;
     count_attempts(counts);
     if (control_ ? counts.failed_attempts > 0 : counts.parts > 1) {

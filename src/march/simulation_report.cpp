@@ -63,6 +63,7 @@ Record Simulation::record() {
                {"newton_iterations", last_.momentum.iterations},
                {"heat_iterations", last_.heat.iterations},
                {"retries", last_.momentum.retries + last_.heat.retries},
+               {"solves_at_round_off", last_.momentum.at_round_off + last_.heat.at_round_off},
                {"failed_attempts", last_.failed_attempts},
                {"substeps", last_.parts}};
     if (control_) {

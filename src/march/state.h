@@ -67,15 +67,17 @@ void visit_members(AnyState& state, Visit&& visit) {
 struct Totals {
     int iterations = 0;
     int max_iterations_in_a_step = 0;
-    int retries = 0;           ///< solves of a balance beyond the first: continuation
-    int divided_steps = 0;     ///< steps that were taken in parts
-    int parts = 0;             ///< those parts
-    int failed_attempts = 0;   ///< steps and parts that failed before
-    double smallest_step = 0;  ///< accepted or failed, s; 0: none yet
-    int accepted = 0;          ///< adaptive steps taken
-    int rejected = 0;          ///< adaptive steps that erred too much
-    int beyond_tolerance = 0;  ///< taken though they did: there are no shorter ones
-    double error_sum = 0;      ///< of the estimates of those taken, relative
+    int retries = 0;                ///< solves of a balance beyond the first: continuation
+    int divided_steps = 0;          ///< steps that were taken in parts
+    int parts = 0;                  ///< those parts
+    int failed_attempts = 0;        ///< steps and parts that failed before
+    double smallest_step = 0;       ///< accepted or failed, s; 0: none yet
+    int accepted = 0;               ///< adaptive steps taken
+    int rejected = 0;               ///< adaptive steps that erred too much
+    int beyond_tolerance = 0;       ///< taken though they did: there are no shorter ones
+    int at_round_off = 0;           ///< solves that ended at round-off beyond the tolerance (newton.h)
+    double round_off_residual = 0;  ///< the largest residual of these, relative
+    double error_sum = 0;           ///< of the estimates of those taken, relative
     double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
 };
 
@@ -83,8 +85,8 @@ struct Totals {
 template <typename AnyTotals, typename Visit>
 requires std::same_as<std::remove_const_t<AnyTotals>, Totals>
 void visit_members(AnyTotals& totals, Visit&& visit) {
-    auto& [iterations, most, retries, divided, parts, failed, smallest, accepted, rejected, beyond, error_sum,
-           energy, heat, force] = totals;
+    auto& [iterations, most, retries, divided, parts, failed, smallest, accepted, rejected, beyond,
+           at_round_off, round_off_residual, error_sum, energy, heat, force] = totals;
     visit("iterations", iterations);
     visit("max_iterations_in_a_step", most);
     visit("retries", retries);
@@ -95,6 +97,8 @@ void visit_members(AnyTotals& totals, Visit&& visit) {
     visit("accepted", accepted);
     visit("rejected", rejected);
     visit("beyond_tolerance", beyond);
+    visit("at_round_off", at_round_off);
+    visit("round_off_residual", round_off_residual);
     visit("error_sum", error_sum);
     visit("energy_residual", energy);
     visit("heat_residual", heat);
@@ -104,11 +108,15 @@ void visit_members(AnyTotals& totals, Visit&& visit) {
 /// How a nonlinear solve went.
 struct SolveReport {
     int iterations = 0;
-    int retries = 0;  ///< solves beyond the first
+    int retries = 0;                ///< solves beyond the first
+    int at_round_off = 0;           ///< solutions whose residual is beyond the tolerance, but round-off
+    double round_off_residual = 0;  ///< the largest of these residuals, relative
 
     void add(const SolveReport& other) {
         iterations += other.iterations;
         retries += other.retries;
+        at_round_off += other.at_round_off;
+        round_off_residual = std::max(round_off_residual, other.round_off_residual);
     }
 };
 

@@ -1,6 +1,7 @@
 #include "model/facet_term.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fem/block_matrix.h"
 
@@ -15,9 +16,18 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
         return std::make_unique<fem::Form>(fem::find_kernel(law + name, mesh.cell, space_->element.degree),
                                            mesh, constants, fields, surface.rule);
     };
-    const bool rubs = law == "friction";
-    laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"),
-                     rubs ? surface.laws.friction->regularisation : 0.0});
+    const char* regularised_by = "";
+    double regularisation = 0;
+    if (law == "friction") {
+        regularised_by = "eps";
+        regularisation = surface.laws.friction->regularisation;
+    } else if (law == "conductance" && std::isfinite(surface.laws.conductance->limit)) {
+        regularised_by = "L";
+        regularisation = surface.laws.conductance->limit;
+    }
+    const auto datum = fields.find(law == "compliance" ? "u_old" : law == "conductance" ? "theta_F" : "");
+    laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"), regularised_by,
+                     regularisation, datum != fields.end() ? datum->second.values : nullptr});
 }
 
 void FacetTerm::restrict_to(const std::vector<std::int32_t>& dofs) {
@@ -29,6 +39,7 @@ void FacetTerm::restrict_to(const std::vector<std::int32_t>& dofs) {
 }
 
 void FacetTerm::set_step(double k) {
+    step_ = k;
     for (Law& law : laws_) {
         law.residual->set_constant("k", k);
         law.jacobian->set_constant("k", k);
@@ -38,8 +49,8 @@ void FacetTerm::set_step(double k) {
 void FacetTerm::raise_regularisation(double floor) {
     for (Law& law : laws_) {
         if (law.regularisation > 0) {
-            law.residual->set_constant("eps", std::max(floor, law.regularisation));
-            law.jacobian->set_constant("eps", std::max(floor, law.regularisation));
+            law.residual->set_constant(law.regularised_by, std::max(floor, law.regularisation));
+            law.jacobian->set_constant(law.regularised_by, std::max(floor, law.regularisation));
         }
     }
 }
@@ -52,6 +63,22 @@ double FacetTerm::smallest_regularisation() const {
         }
     }
     return smallest;
+}
+
+double FacetTerm::largest_foundation() const {
+    double largest = 0;
+    for (const Law& law : laws_) {
+        if (law.name == "conductance" && law.datum != nullptr) {
+            for (const double theta_F : *law.datum) {
+                largest = std::max(largest, std::abs(theta_F));
+            }
+        }
+    }
+    return largest;
+}
+
+bool FacetTerm::has_friction() const {
+    return std::ranges::any_of(laws_, [](const Law& law) { return law.name == "friction"; });
 }
 
 void FacetTerm::scatter(const Eigen::VectorXd& x) {
@@ -96,6 +123,25 @@ void FacetTerm::visit_derivative(const Eigen::VectorXd& x, const Piece& visit) {
             law.jacobian->add_facet(facet, tensor_);
             visit(local_, tensor_);
         }
+    }
+}
+
+void FacetTerm::add_sensitivity(const Eigen::VectorXd& x, Eigen::VectorXd& noise) {
+    scatter(x);
+    for (std::size_t law = 0; law < laws_.size(); ++law) {
+        if (laws_[law].datum == nullptr) {
+            continue;
+        }
+        const double step = laws_[law].name == "compliance" ? step_ : 1.0;  // dF/dw is k dF/du
+        visit_derivative_of(law, [&](std::span<const std::int32_t> dofs, std::span<const double> values) {
+            for (std::size_t i = 0; i < dofs.size(); ++i) {
+                const std::int32_t row = index_[static_cast<std::size_t>(dofs[i])];
+                for (std::size_t j = 0; j < dofs.size() && row >= 0; ++j) {
+                    const double datum = (*laws_[law].datum)[static_cast<std::size_t>(dofs[j])];
+                    noise[row] += std::abs(values[i * dofs.size() + j] / step * datum);
+                }
+            }
+        });
     }
 }
 

@@ -27,17 +27,29 @@ class FacetTerm : public solve::NonlinearTerm {
     /// Sets k in the displacement u_old + k w of the laws (s).
     void set_step(double k);
 
-    /// Raises the friction regularisation of every law to at least `floor` (m/s); 0 restores the scene's own.
+    /// Raises the regularisation of every law to at least `floor`; 0 restores the scene's own. That is the
+    /// width over which a law turns round: of friction epsilon (m/s), of conductance the limit L (K).
     void raise_regularisation(double floor);
 
-    /// The smallest regularisation of all laws (m/s); 0 without friction.
+    /// The smallest regularisation of all laws; 0 where none has one.
     double smallest_regularisation() const;
+
+    /// What a regularisation must exceed, beside the unknown itself, for conductance to be linear: the
+    /// largest theta_F (K); 0 in momentum.
+    double largest_foundation() const;
+
+    /// Whether some law is friction, whose derivative is not symmetric.
+    bool has_friction() const;
 
     bool empty() const { return laws_.empty(); }
     std::size_t law_count() const { return laws_.size(); }
 
     void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override;
     void visit_derivative(const Eigen::VectorXd& x, const Piece& visit) override;
+
+    /// Of compliance, which takes the displacement u_old: |dF/du| |u_old|; of conductance, which takes
+    /// theta_F: |dF/dtheta_F| |theta_F|.
+    void add_sensitivity(const Eigen::VectorXd& x, Eigen::VectorXd& noise) override;
 
     /// dF/dx of one law, in the order in which they were added, at the present values of the field; the
     /// unknowns of its pieces are dofs, prescribed ones included.
@@ -52,7 +64,9 @@ class FacetTerm : public solve::NonlinearTerm {
         std::string name;
         const std::vector<mesh::Facet>* facets;
         std::unique_ptr<fem::Form> residual, jacobian;
-        double regularisation;  ///< 0: none
+        const char* regularised_by;        ///< its constant's name
+        double regularisation;             ///< 0: none
+        const std::vector<double>* datum;  ///< u_old, theta_F: what is added to the unknown, or k times that
     };
 
     void scatter(const Eigen::VectorXd& x);
@@ -61,6 +75,7 @@ class FacetTerm : public solve::NonlinearTerm {
     const fem::Space* space_;
     int components_;
     std::vector<double>* unknown_;
+    double step_ = 0;  ///< k, s
     std::vector<Law> laws_;
     std::vector<std::int32_t> dofs_;
     std::vector<std::int32_t> index_;  ///< [dofs]: number among the contact unknowns, or -1

@@ -66,6 +66,8 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                         {"max_iterations_in_a_step", totals.max_iterations_in_a_step},
                         {"retries", totals.retries}};
     result["recovery"] = {{"continuation_solves", totals.retries},
+                          {"solves_at_round_off", totals.at_round_off},
+                          {"largest_residual_of_these", totals.round_off_residual},
                           {"failed_attempts", totals.failed_attempts},
                           {"divided_steps", totals.divided_steps},
                           {"substeps_of_these", totals.parts},

@@ -100,15 +100,20 @@ Eigen::VectorXd KrylovProblem::begin(const std::vector<double>& rhs, const std::
     return x;
 }
 
-KrylovProblem::Residual KrylovProblem::residual(solve::NonlinearTerm& F, Vec x) {
+/// x on this part, and its entries that F takes.
+void KrylovProblem::take(Vec x) {
     vectors_.take(x, local_x_);
+    for (Eigen::Index i = 0; i < contact_x_.size(); ++i) {
+        contact_x_[i] = local_x_[static_cast<std::size_t>(contact_dofs_[static_cast<std::size_t>(i)])];
+    }
+}
+
+KrylovProblem::Residual KrylovProblem::residual(solve::NonlinearTerm& F, Vec x) {
+    take(x);
     tangent_.multiply_constant(local_x_, linear_);
     check(VecWAXPY(residual_, -1.0, rhs_, linear_));
     double scale = norm(linear_) + norm(rhs_);
     if (has_contact_) {
-        for (Eigen::Index i = 0; i < contact_x_.size(); ++i) {
-            contact_x_[i] = local_x_[static_cast<std::size_t>(contact_dofs_[static_cast<std::size_t>(i)])];
-        }
         const Timed timed(Events::all().contact);
         F.evaluate(contact_x_, contact_F_);
         std::ranges::fill(local_, 0.0);
@@ -178,19 +183,32 @@ bool KrylovProblem::solve_linear(double tolerance) {
     return solved;
 }
 
-double KrylovProblem::round_off(Vec x) {
+/// As in solve::Newton::is_round_off.
+bool KrylovProblem::is_round_off(solve::NonlinearTerm& F, const Residual& current) {
+    residual(F, x_);
+    PetscReal rest = 0, forces = 0;
+    check(VecNorm(residual_, NORM_1, &rest));
+    check(VecNorm(nonlinear_, NORM_1, &forces));
+    if (!solve::may_be_round_off(current.relative, rest, has_contact_ ? forces : 0.0, options_.tolerance)) {
+        return false;
+    }
     fem::BlockMatrix magnitudes = *matrix_;
     for (double& value : magnitudes.values) {
         value = std::abs(value);
     }
-    vectors_.take(x, local_x_);
     for (double& value : local_x_) {
         value = std::abs(value);
     }
     magnitudes.multiply(local_x_, local_);
+    tangent_.add_derivative_magnitudes(local_x_, local_);
+    contact_F_.setZero(contact_x_.size());
+    F.add_sensitivity(contact_x_, contact_F_);
+    for (Eigen::Index i = 0; i < contact_F_.size(); ++i) {
+        local_[static_cast<std::size_t>(contact_dofs_[static_cast<std::size_t>(i)])] += contact_F_[i];
+    }
     free_only(local_);
     vectors_.add_up(local_, linear_);
-    return std::numeric_limits<double>::epsilon() * norm(linear_);
+    return current.norm <= std::numeric_limits<double>::epsilon() * norm(linear_);
 }
 
 /// What Newton's last step leaves is anything below the tolerance: one more, of a few iterations, brings it
@@ -229,12 +247,10 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
             polish(F, current);
             return {NewtonEnd::converged, iteration, current.relative};
         }
-        const auto is_round_off = [&] {
-            return current.relative <= solve::most_round_off * options_.tolerance &&
-                   current.norm <= round_off(x_);
-        };
+        const auto excused = [&] { return is_round_off(F, current); };
         const auto stalled = [&](NewtonEnd end) -> solve::NewtonResult {
-            return {is_round_off() ? NewtonEnd::converged : end, iteration, current.relative};
+            const bool done = excused();
+            return {done ? NewtonEnd::converged : end, iteration, current.relative, done};
         };
         if (iteration == options_.max_iterations) {
             return stalled(NewtonEnd::too_many_iterations);
@@ -260,7 +276,7 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
             next = residual(F, candidate_);
             return {next.norm, work()};
         };
-        if (!solve::line_search(start, is_round_off, attempt)) {
+        if (!solve::line_search(start, excused, attempt)) {
             return stalled(NewtonEnd::line_search_failed);
         }
         check(VecCopy(candidate_, x_));

@@ -34,7 +34,8 @@ class KrylovProblem final : public solve::StepProblem {
     void update_tangent(solve::NonlinearTerm& F);
     bool solve_linear(double tolerance);
     void polish(solve::NonlinearTerm& F, Residual& current);
-    double round_off(Vec x);
+    bool is_round_off(solve::NonlinearTerm& F, const Residual& current);
+    void take(Vec x);
     void renew_hierarchy();
     void free_only(std::vector<double>& local) const;
     void make_solver();

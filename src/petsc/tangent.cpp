@@ -1,5 +1,7 @@
 #include "petsc/tangent.h"
 
+#include <cmath>
+
 #include "petsc/check.h"
 #include "petsc/events.h"
 
@@ -120,19 +122,34 @@ void Tangent::apply(Vec x, Vec y) {
     check(VecRestoreArrayRead(x, &given));
 }
 
-void Tangent::add_derivative(const std::vector<double>& x, std::vector<double>& y) const {
-    const std::int32_t* dofs = derivative_.dofs.data();
-    const double* values = derivative_.values.data();
-    for (const std::int32_t n : derivative_.sizes) {
+namespace {
+
+/// y += the pieces times x, each entry of which passes through `of_entry`.
+template <typename OfEntry>
+void add_products(const multigrid::Pieces& pieces, const std::vector<double>& x, std::vector<double>& y,
+                  OfEntry&& of_entry) {
+    const std::int32_t* dofs = pieces.dofs.data();
+    const double* values = pieces.values.data();
+    for (const std::int32_t n : pieces.sizes) {
         for (std::int32_t i = 0; i < n; ++i, values += n) {
             double sum = 0;
             for (std::int32_t j = 0; j < n; ++j) {
-                sum += values[j] * x[static_cast<std::size_t>(dofs[j])];
+                sum += of_entry(values[j]) * x[static_cast<std::size_t>(dofs[j])];
             }
             y[static_cast<std::size_t>(dofs[i])] += sum;
         }
         dofs += n;
     }
+}
+
+}  // namespace
+
+void Tangent::add_derivative(const std::vector<double>& x, std::vector<double>& y) const {
+    add_products(derivative_, x, y, [](double value) { return value; });
+}
+
+void Tangent::add_derivative_magnitudes(const std::vector<double>& x, std::vector<double>& y) const {
+    add_products(derivative_, x, y, [](double value) { return std::abs(value); });
 }
 
 void Tangent::drop_derivative() {

@@ -35,6 +35,9 @@ class Tangent {
     /// dF/dx: dense pieces on dofs of the part.
     const multigrid::Pieces& derivative() const { return derivative_; }
 
+    /// y += |dF/dx| x, both [dofs].
+    void add_derivative_magnitudes(const std::vector<double>& x, std::vector<double>& y) const;
+
     /// y = A x over the dofs that are not fixed, zero at those; `x` [dofs] with zeros at the fixed ones.
     void multiply_constant(const std::vector<double>& x, Vec y);
 

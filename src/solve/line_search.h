@@ -5,7 +5,14 @@
 
 namespace thermocontact::solve {
 
-inline constexpr double most_round_off = 1000;  ///< tolerances that round-off may take, never more
+/// Whether a residual may be round-off at all: it is at most 1e3 tolerances, `relative` to its terms, or 1e4
+/// of the contact forces (heat flows), in sums of magnitudes. The force and heat audits are at most the
+/// latter quotient, as contact is among the terms they are relative to: with the default tolerance of 1e-12
+/// the 1e-8 that is asked of them.
+inline bool may_be_round_off(double relative, double magnitude, double contact_magnitude, double tolerance) {
+    constexpr double of_terms = 1e3, of_contact = 1e4;
+    return relative <= of_terms * tolerance || magnitude <= of_contact * tolerance * contact_magnitude;
+}
 
 /// The residual R at x + length d: its norm, and the work d . R.
 struct LineResidual {

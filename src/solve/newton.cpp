@@ -92,13 +92,18 @@ void Newton::take_up(const Eigen::MatrixXd& S, const KeptDerivative& kept) {
     factor_derivative();
 }
 
-bool Newton::is_round_off(const Eigen::VectorXd& x, const Residual& current) const {
+bool Newton::is_round_off(const Eigen::VectorXd& x, NonlinearTerm& F, const Residual& current) {
     if (derivative_.size() == 0) {
         return false;  // no iteration was allowed yet: nothing is known of T
     }
-    const Eigen::VectorXd noise = derivative_.cwiseAbs() * x.cwiseAbs();
-    return current.norm <= std::numeric_limits<double>::epsilon() * noise.norm() &&
-           current.relative <= most_round_off * options_.tolerance;
+    F.evaluate(x, nonlinear_);
+    if (!may_be_round_off(current.relative, current.value.lpNorm<1>(), nonlinear_.lpNorm<1>(),
+                          options_.tolerance)) {
+        return false;
+    }
+    Eigen::VectorXd noise = derivative_.cwiseAbs() * x.cwiseAbs();
+    F.add_sensitivity(x, noise);
+    return current.norm <= std::numeric_limits<double>::epsilon() * noise.norm();
 }
 
 void Newton::polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x,
@@ -135,8 +140,8 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
             return {NewtonEnd::converged, iteration, current.relative};
         }
         const auto stalled = [&](NewtonEnd end) -> NewtonResult {
-            const bool done = is_round_off(x, current);
-            return {done ? NewtonEnd::converged : end, iteration, current.relative};
+            const bool done = is_round_off(x, F, current);
+            return {done ? NewtonEnd::converged : end, iteration, current.relative, done};
         };
         if (iteration == options_.max_iterations) {
             return stalled(NewtonEnd::too_many_iterations);
@@ -163,7 +168,7 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
         };
         const LineResidual start{current.norm, direction.dot(current.value)};
         if (!line_search(
-                start, [&] { return is_round_off(x, current); }, attempt)) {
+                start, [&] { return is_round_off(x, F, current); }, attempt)) {
             return stalled(NewtonEnd::line_search_failed);
         }
         x = std::move(candidate);

@@ -29,6 +29,12 @@ class NonlinearTerm {
     /// dF/dx(x) as a sum of pieces.
     virtual void visit_derivative(const Eigen::VectorXd& x, const Piece& visit) = 0;
 
+    /// Adds to `noise` [unknowns] what F changes by, at most, for a relative change of 1 of the data other
+    /// than x that it is evaluated from: a multiple of epsilon that rounding these makes. By default nothing.
+    virtual void add_sensitivity(const Eigen::VectorXd& x, Eigen::VectorXd& noise) {
+        static_cast<void>(x), static_cast<void>(noise);
+    }
+
     /// Adds dF/dx(x) to `matrix`.
     void add_derivative(const Eigen::VectorXd& x, Eigen::MatrixXd& matrix);
 };
@@ -42,8 +48,9 @@ enum class NewtonEnd { converged, too_many_iterations, line_search_failed, not_f
 
 struct NewtonResult {
     NewtonEnd end;
-    int iterations;   ///< updates of x
-    double residual;  ///< relative, as in NewtonOptions
+    int iterations;             ///< updates of x
+    double residual;            ///< relative, as in NewtonOptions
+    bool at_round_off = false;  ///< converged, with a residual beyond the tolerance that is round-off
 };
 
 /// S + dF/dx where a Newton iteration factored it last, by its entries that differ from S.
@@ -84,10 +91,11 @@ class Newton {
         double relative;
     };
 
-    /// Whether the residual is what rounding x perturbs it by, eps |T| |x| with T the current derivative:
-    /// friction of stiffness mu p / epsilon magnifies the last bit of a slip velocity, and no iterate can be
-    /// better.
-    bool is_round_off(const Eigen::VectorXd& x, const Residual& current) const;
+    /// Whether the residual is what rounding x, and the displacement that the gap is computed from, perturb
+    /// it by: eps (|T| |x| + |dF/du| |u|) with T the current derivative. Friction of stiffness mu p / epsilon
+    /// magnifies the last bit of a slip velocity, compliance that of a displacement, and no iterate can be
+    /// better. Never where it is more than may_be_round_off() allows.
+    bool is_round_off(const Eigen::VectorXd& x, NonlinearTerm& F, const Residual& current);
 
     /// One more update with the factors at hand, taken if it lowers the residual: it costs little and brings
     /// the solution from the tolerance down to round-off.

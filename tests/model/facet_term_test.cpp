@@ -201,6 +201,53 @@ TEST(FacetTerm, ForcesAddUp) {
     EXPECT_NEAR(x, friction * p * slip / std::sqrt(slip * slip + 1), 1e-14);
 }
 
+/// Compliance takes u_old, which has no digits beyond its last: the forces change as much when all of it
+/// grows by a share. Friction's data do not count.
+TEST(FacetTerm, SensitivityToTheDisplacement) {
+    const double r = 1e-3, share = 1e-3;
+    Bottom bottom({1e-2, 1.0, r, 2.0}), larger({1e-2, 1.0, r * (1 + share), 2.0});
+    Eigen::VectorXd noise = Eigen::VectorXd::Constant(bottom.x().size(), 1.0);
+    bottom.term().set_step(k);
+    bottom.term().add_sensitivity(bottom.x(), noise);
+    const Eigen::VectorXd change = (larger.value(bottom.x()) - bottom.value(bottom.x())).cwiseAbs() / share;
+    for (Eigen::Index i = 0; i < noise.size(); i += 2) {
+        EXPECT_EQ(noise[i], 1.0);
+        EXPECT_NEAR(noise[i + 1] - 1, change[i + 1], 1e-12);
+        EXPECT_GT(change[i + 1], 0);
+    }
+}
+
+/// Conductance is regularised by its limit, and takes theta_F.
+TEST(FacetTerm, OfConductance) {
+    support::Discretisation at(
+        "mesh.cells = [2, 1]\ntime = {end = 1, steps = 1}\nheat.capacity = 1\n[boundary.bottom.contact]\ngap "
+        "= "
+        "-1\nconductance = {coefficient = 4, onset = 0.1, foundation_temperature = -50, limit = 2}\n");
+    const ContactSurface& surface = *at.surfaces.front();
+    std::vector<double> theta(at.node_count(), 0.0), u(2 * at.node_count(), 0.0);
+    FacetTerm term(at.space, 1, theta);
+    term.add("conductance", at.mesh, surface, contact_constants(surface.laws, 0.0),
+             {{"theta", {&theta, 1, &at.space.dofmap}},
+              {"theta_F", {&surface.foundation_temperature, 1, &at.space.dofmap}},
+              {"u", {&u, 2, &at.space.dofmap}},
+              {"g", {&surface.gap, 1, &at.space.dofmap}}});
+    term.restrict_to(surface.nodes);
+    EXPECT_FALSE(term.has_friction());
+    EXPECT_EQ(term.smallest_regularisation(), 2.0);
+    EXPECT_EQ(term.largest_foundation(), 50.0);
+    const Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
+    Eigen::VectorXd flow, noise = x;
+    term.evaluate(x, flow);
+    EXPECT_NEAR(flow.sum(), 4 * 2, 1e-13);
+    term.add_sensitivity(x, noise);
+    EXPECT_EQ(noise.sum(), 0) << "beyond the limit theta_F does not matter";
+    term.raise_regularisation(100);
+    term.evaluate(x, flow);
+    EXPECT_NEAR(flow.sum(), 4 * 50, 1e-12);
+    term.add_sensitivity(x, noise);
+    EXPECT_NEAR(noise.sum(), 4 * 50, 1e-12);
+}
+
 /// The ladder of continuation raises epsilon, and 0 gives the scene's own back.
 TEST(FacetTerm, RegularisationIsRaisedAndRestored) {
     const double r = 1e-3, eps = 1e-8, slip = 1e4;

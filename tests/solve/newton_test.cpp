@@ -198,6 +198,34 @@ TEST_P(NewtonFailures, AreNamed) {
 INSTANTIATE_TEST_SUITE_P(Ends, NewtonFailures, testing::ValuesIn(failures),
                          [](const auto& info) { return info.param.name; });
 
+/// slope (x - root) with a root that no number is: where the last bit of x is worth more than the tolerance,
+/// a solution is what rounding it makes of the residual, as long as that is small.
+NewtonResult between_two_numbers(double slope) {
+    Componentwise F([=](double x) { return slope * (x - 1); }, [=](double) { return slope; });
+    Eigen::VectorXd x = vector({2, 3});
+    return Newton(options).solve(identity(2), vector({1234.567, 1111.11}), F, x);
+}
+
+TEST(Newton, EndsAtRoundOffAndSaysSo) {
+    const NewtonResult gentle = between_two_numbers(10), steep = between_two_numbers(1e10),
+                       too_steep = between_two_numbers(1e14);
+    EXPECT_EQ(gentle.end, NewtonEnd::converged);
+    EXPECT_FALSE(gentle.at_round_off);
+    EXPECT_EQ(steep.end, NewtonEnd::converged);
+    EXPECT_TRUE(steep.at_round_off);
+    EXPECT_GT(steep.residual, options.tolerance);
+    EXPECT_NE(too_steep.end, NewtonEnd::converged) << "an ulp of x is worth 2e-2 of some 2e3";
+    EXPECT_FALSE(too_steep.at_round_off);
+}
+
+TEST(RoundOff, IsBoundedByTheTermsOrByContact) {
+    const double tolerance = 1e-12;
+    EXPECT_TRUE(may_be_round_off(1e-9, 1, 0, tolerance));
+    EXPECT_FALSE(may_be_round_off(1.1e-9, 1, 0, tolerance));
+    EXPECT_TRUE(may_be_round_off(1.1e-9, 1, 1e8, tolerance));
+    EXPECT_FALSE(may_be_round_off(1.1e-9, 1.1, 1e8, tolerance));
+}
+
 /// After a failure (here: singular) the same object solves the next problem.
 TEST(Newton, RecoversAfterAFailure) {
     Newton newton(options);

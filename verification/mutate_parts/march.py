@@ -278,10 +278,18 @@ MUTATIONS = (
     Mutation(
         "balance-iterations",
         "src/march/balance.cpp",
-        "return {direct.iterations + ladder.newton.iterations, ladder.rungs};",
-        "return {ladder.newton.iterations, ladder.rungs};",
+        "report.iterations += direct.iterations;",
+        "",
         "missing",
         "iterations of the first attempt count",
+    ),
+    Mutation(
+        "heat-reference",
+        "src/march/heat.cpp",
+        "surface.foundation_temperature[i] - reference_[i];",
+        "surface.foundation_temperature[i] + reference_[i];",
+        "sign",
+        "the foundation's temperature is relative to what the body's is",
     ),
     Mutation(
         "balance-stays-smooth",

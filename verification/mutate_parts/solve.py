@@ -102,8 +102,8 @@ MUTATIONS = (
     Mutation(
         "newton-round-off",
         "src/solve/newton.cpp",
-        "std::numeric_limits<double>::epsilon() * noise.norm() &&",
-        "std::numeric_limits<double>::epsilon() * noise.norm() ||",
+        "return current.norm <= std::numeric_limits<double>::epsilon() * noise.norm();",
+        "return true;",
         "range",
         "round-off excuses no residual that is above it",
     ),

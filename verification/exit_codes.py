@@ -9,7 +9,7 @@
 | 2 | scene or command line wrong | the file, key or word at fault; nothing written |
 | 3 | the numerics failed | step and equation; every completed step on disk, no number that is not finite |
 
-How signals end a run is not asked here. Exits 0 if all is as promised, 1 if not.
+How signals end a run is asked elsewhere (kill_and_restart.py). Exits 0 if all is as promised, 1 if not.
 """
 
 import argparse
@@ -19,6 +19,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from collections.abc import Callable
 from pathlib import Path
@@ -31,7 +32,8 @@ from oracle_parts import vtu
 ROOT = Path(__file__).resolve().parents[1]
 SCENE = ROOT / "scenes" / "paper-isotropic.toml"
 SMALL = ("--quiet", "--set", "mesh.cells=[4,4]", "--set", "time.steps=4")
-COMPLETED, SYSTEM_FAILED, BAD_INPUT, NUMERICS_FAILED = 0, 1, 2, 3
+COMPLETED, SYSTEM_FAILED, BAD_INPUT, NUMERICS_FAILED, TERMINATED = 0, 1, 2, 3, 143
+WAITING = 120.0  # s: a run that has not begun or ended by then hangs
 
 NONLINEAR = ("--set", "boundary.bottom.contact.compliance.exponent=2")
 
@@ -157,6 +159,54 @@ class ExitCodes(unittest.TestCase):
         self.assert_says(message, "cannot write", str(self.results))
         self.assertFalse((self.results / "summary.json").exists(), "says that a run completed")
         self.assertEqual(list(self.results.rglob("*.part")), [])
+
+    def start_long(self) -> "subprocess.Popen[str]":
+        """A run into self.results that has begun and would take minutes."""
+        command = [
+            self.driver,
+            "run",
+            SCENE,
+            "--quiet",
+            "--output",
+            self.results,
+            "--set",
+            "time.steps=1000000",
+            "--set",
+            "output.checkpoint_every=1000000",
+        ]
+        run = subprocess.Popen([str(word) for word in command], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.kill)
+        deadline = time.monotonic() + WAITING
+        while not (self.results / "history.csv").exists() and time.monotonic() < deadline:
+            self.assertIsNone(run.poll())
+            time.sleep(0.01)
+        return run
+
+    def test_two_runs_into_one_folder(self) -> None:
+        """The second is refused at once; the first ends as if it had been alone."""
+        first = self.start_long()
+        message = self.run_small(SYSTEM_FAILED)
+        self.assert_says(message, "another run", str(self.results), "--output")
+        first.send_signal(signal.SIGTERM)
+        first.communicate(timeout=WAITING)
+        self.assertEqual(first.returncode, TERMINATED)
+        self.assertEqual(self.summary()["status"], "interrupted")
+        self.run_small(COMPLETED)
+
+    def test_folder_removed_during_the_run(self) -> None:
+        run = self.start_long()
+        self.results.rename(self.folder / "elsewhere")
+        _, message = run.communicate(timeout=WAITING)
+        self.assertEqual(run.returncode, SYSTEM_FAILED, message)
+        self.assert_says(message, "removed", str(self.results))
+        self.assertFalse(self.results.exists())
+
+    def test_files_of_others_stay(self) -> None:
+        self.results.mkdir()
+        (self.results / "notes.txt").write_text("mine", encoding="utf-8")
+        self.run_small(COMPLETED)
+        self.run_small(COMPLETED)
+        self.assertEqual((self.results / "notes.txt").read_text(encoding="utf-8"), "mine")
 
     def test_numerics_failed_in_a_step(self) -> None:
         message = self.run_small(NUMERICS_FAILED, *BREAKS)

@@ -9,7 +9,7 @@
 #include "app/interruption.h"
 #include "app/process_age.h"
 #include "error.h"
-#include "output/files.h"
+#include "output/folder_claim.h"
 #include "output/progress.h"
 #include "output/results.h"
 #include "parallel/together.h"
@@ -56,20 +56,13 @@ std::optional<output::Checkpoint> read_earlier(const RunCommand& command, const 
 /// Assembles and factors; a scene that cannot be factored leaves a summary that says so.
 std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const RunCommand& command,
                                            const parallel::Backend* backend) {
-    const std::filesystem::path& folder = command.output;
-    const bool speaks = parallel::is_first(backend);
-    parallel::together(parallel::team_of(backend), [&] {
-        if (speaks) {  // before all else: a folder that cannot be written to would waste the work
-            output::make_folder(folder);
-        }
-    });
     try {
         return std::make_unique<march::Simulation>(scene, model::Sources{}, backend);
     } catch (const parallel::BackendNeeded&) {
         parallel::continue_with_petsc();
     } catch (const NumericsError& error) {
-        if (speaks && !command.restart) {
-            output::write_setup_failure(folder, scene, error.what());
+        if (parallel::is_first(backend) && !command.restart) {
+            output::write_setup_failure(command.output, scene, error.what());
         }
         throw;
     }
@@ -88,6 +81,8 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
     const bool speaks = parallel::is_first(backend);
     output::Progress progress(scene, command.quiet || !speaks);
     const std::optional<output::Checkpoint> earlier = read_earlier(command, scene, backend);
+    // before the work, which a folder that cannot be written to would waste
+    output::FolderClaim folder(command.output, parallel::team_of(backend));
     const auto simulation = prepare(scene, command, backend);
     if (earlier) {
         simulation->resume(earlier->snapshot);
@@ -99,7 +94,7 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
     progress.header(*simulation);
 
     output::Results results = timed(seconds.output, [&] {
-        return output::Results(command.output, scene, *simulation, earlier ? &*earlier : nullptr);
+        return output::Results(std::move(folder), scene, *simulation, earlier ? &*earlier : nullptr);
     });
     const auto finish = [&](const std::string& status, const std::string& reason) {
         timed(seconds.output, [&] {

@@ -42,19 +42,18 @@ void check(const std::ofstream& file, const std::filesystem::path& path) {
 
 }  // namespace
 
-Results::Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation,
+Results::Results(FolderClaim claim, const scene::Scene& scene, march::Simulation& simulation,
                  const Checkpoint* earlier)
-    : folder_(std::move(folder)),
+    : claim_(std::move(claim)),
       scene_(&scene),
       simulation_(&simulation),
       grids_(scene, simulation),
-      checkpoints_(folder_, scene, simulation, earlier != nullptr ? earlier->run : new_run()) {
+      checkpoints_(folder(), scene, simulation, earlier != nullptr ? earlier->run : new_run()) {
     bool continues = false;
     if_first([&] {
-        make_folder(folder_);
-        continues = earlier != nullptr && run_of(folder_ / checkpoint_name) == earlier->run;
+        continues = earlier != nullptr && run_of(folder() / checkpoint_name) == earlier->run;
         if (!continues) {
-            clear_results(folder_);
+            clear_results(folder());
         }
     });
     continues = simulation.team().any(continues);
@@ -71,18 +70,18 @@ void Results::open_files(bool continues) {
     if (continues) {
         const int step = simulation_->state().step;
         std::error_code ignored;
-        std::filesystem::remove(folder_ / "summary.json", ignored);
-        has_header_ = keep_rows(folder_ / "history.csv", step);
-        steps_have_header_ = scene_->time.tolerance && keep_rows(folder_ / "steps.csv", step);
-        entries_ = keep_fields(folder_, step, fields_are_due());
+        std::filesystem::remove(folder() / "summary.json", ignored);
+        has_header_ = keep_rows(folder() / "history.csv", step);
+        steps_have_header_ = scene_->time.tolerance && keep_rows(folder() / "steps.csv", step);
+        entries_ = keep_fields(folder(), step, fields_are_due());
         const bool written = std::ranges::any_of(
             entries_, [&](const PvdEntry& entry) { return entry.time == simulation_->state().time; });
         last_fields_ = written ? step : -1;
     }
     const auto open = [&](std::ofstream& file, const char* name) {
-        file.open(folder_ / name, continues ? std::ios::app : std::ios::trunc);
+        file.open(folder() / name, continues ? std::ios::app : std::ios::trunc);
         if (!file) {
-            throw SystemError("cannot write " + (folder_ / name).string());
+            throw SystemError("cannot write " + (folder() / name).string());
         }
     };
     open(history_, "history.csv");
@@ -90,12 +89,22 @@ void Results::open_files(bool continues) {
         open(steps_, "steps.csv");
     }
     if (!scene_->output.fields.empty()) {
-        make_folder(folder_ / "fields");
+        make_folder(folder() / "fields");
     }
 }
 
 bool Results::fields_are_due() const {
     return simulation_->state().step % scene_->output.every == 0 || simulation_->finished();
+}
+
+/// Work that writes files: where these are missing because the folder is, it is the folder that is told.
+void Results::told(const std::function<void()>& work) const {
+    try {
+        work();
+    } catch (const SystemError&) {
+        claim_.require();
+        throw;
+    }
 }
 
 void Results::if_first(const std::function<void()>& work) const {
@@ -113,7 +122,7 @@ void Results::add_rows(const march::Record& record) {
         has_header_ = true;
     }
     write_row(history_, record, false);
-    check(history_, folder_ / "history.csv");
+    check(history_, folder() / "history.csv");
 }
 
 /// A row an attempt. Where no solution was found, there is no estimate.
@@ -130,20 +139,23 @@ void Results::add_attempts() {
                 attempt.of + "," + march::name(attempt.outcome) + "\n";
     }
     steps_ << rows << std::flush;
-    check(steps_, folder_ / "steps.csv");
+    check(steps_, folder() / "steps.csv");
 }
 
 march::Record Results::add_step() {
     march::Record record = simulation_->record();
-    if_first([&] {
-        add_rows(record);
-        if (scene_->time.tolerance) {
-            add_attempts();
+    told([&] {
+        if_first([&] {
+            claim_.require();  // a row is written to the open file, wherever that is
+            add_rows(record);
+            if (scene_->time.tolerance) {
+                add_attempts();
+            }
+        });
+        if (fields_are_due()) {
+            write_fields();
         }
     });
-    if (fields_are_due()) {
-        add_fields();
-    }
     return record;
 }
 
@@ -153,7 +165,7 @@ void Results::write_grid(const std::string& name, const VtuGrid& grid) {
     const bool alone = team.size() == 1;
     const std::string whole = numbered(name, step, alone ? ".vtu" : ".pvtu");
     const std::string own = alone ? whole : numbered(name, step, piece(team.rank()));
-    parallel::together(team, [&] { write_whole(folder_ / own, to_vtu(grid)); });
+    parallel::together(team, [&] { write_whole(folder() / own, to_vtu(grid)); });
     if (!alone) {  // lists pieces that are there
         if_first([&] {
             std::vector<std::string> files;
@@ -161,13 +173,21 @@ void Results::write_grid(const std::string& name, const VtuGrid& grid) {
             for (int rank = 0; rank < team.size(); ++rank) {
                 files.push_back(std::filesystem::path(numbered(name, step, piece(rank))).filename());
             }
-            write_whole(folder_ / whole, to_pvtu(grid, files));
+            write_whole(folder() / whole, to_pvtu(grid, files));
         });
     }
     entries_.push_back({simulation_->state().time, name == "body" ? 0 : 1, whole});
 }
 
 void Results::add_fields() {
+    told([&] { write_fields(); });
+}
+
+void Results::add_checkpoint() {
+    told([&] { checkpoints_.write(Sync::yes); });
+}
+
+void Results::write_fields() {
     const int step = simulation_->state().step;
     if (scene_->output.fields.empty() || last_fields_ == step) {
         return;
@@ -176,13 +196,13 @@ void Results::add_fields() {
     if (grids_.has_contact()) {
         write_grid("contact", grids_.contact());
     }
-    if_first([&] { write_whole(folder_ / "fields.pvd", to_pvd(entries_)); });
+    if_first([&] { write_whole(folder() / "fields.pvd", to_pvd(entries_)); });
     last_fields_ = step;
 }
 
 void Results::finish(const std::string& status, const std::string& reason, const Seconds& seconds) {
     const nlohmann::ordered_json content = summary(*scene_, *simulation_, status, reason, seconds);
-    if_first([&] { write_whole(folder_ / "summary.json", content.dump(2) + "\n"); });
+    told([&] { if_first([&] { write_whole(folder() / "summary.json", content.dump(2) + "\n"); }); });
 }
 
 void write_setup_failure(const std::filesystem::path& folder, const scene::Scene& scene,

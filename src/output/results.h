@@ -11,6 +11,7 @@
 #include "output/checkpoint.h"
 #include "output/checkpoints.h"
 #include "output/fields.h"
+#include "output/folder_claim.h"
 
 namespace thermocontact::output {
 
@@ -22,10 +23,10 @@ struct Seconds {
 
 class Results {
   public:
-    /// Makes the folder and clears the results of an earlier run from it. After a restart from `earlier`,
-    /// which the simulation has gone on from already, results of the same run are kept up to its step and
-    /// continued. Throws SystemError if the folder is not writable.
-    Results(std::filesystem::path folder, const scene::Scene& scene, march::Simulation& simulation,
+    /// Clears the results of an earlier run from the folder. After a restart from `earlier`, which the
+    /// simulation has gone on from already, results of the same run are kept up to its step and continued.
+    /// Throws SystemError, here and below, also if the folder is no longer there.
+    Results(FolderClaim claim, const scene::Scene& scene, march::Simulation& simulation,
             const Checkpoint* earlier = nullptr);
 
     /// Appends the step's row to history.csv and returns it; writes its fields when they are due. Throws
@@ -39,21 +40,24 @@ class Results {
     bool checkpoint_is_due() const { return checkpoints_.due(); }
 
     /// Writes one of the current state, if the last one is of an earlier.
-    void add_checkpoint() { checkpoints_.write(Sync::yes); }
+    void add_checkpoint();
 
     /// Writes summary.json; `status` is "completed", "failed" or "interrupted", `reason` empty when
     /// completed.
     void finish(const std::string& status, const std::string& reason, const Seconds& seconds);
 
   private:
+    const std::filesystem::path& folder() const { return claim_.path(); }
+    void told(const std::function<void()>& work) const;
     void if_first(const std::function<void()>& work) const;  ///< called by all, done by the first process
     void open_files(bool continues);
     void add_rows(const march::Record& record);
     void add_attempts();
     bool fields_are_due() const;
+    void write_fields();
     void write_grid(const std::string& name, const VtuGrid& grid);
 
-    std::filesystem::path folder_;
+    FolderClaim claim_;
     const scene::Scene* scene_;
     march::Simulation* simulation_;
     FieldGrids grids_;

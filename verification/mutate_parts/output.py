@@ -139,4 +139,20 @@ MUTATIONS = (
         "range",
         "17 digits restore a number",
     ),
+    Mutation(
+        "folder-shared",
+        "src/output/folder_claim.cpp",
+        "errno == EWOULDBLOCK",
+        "errno == EDOM",
+        "missing",
+        "a folder belongs to one run at a time",
+    ),
+    Mutation(
+        "folder-gone",
+        "src/output/results.cpp",
+        "            claim_.require();  // a row",
+        "            // a row",
+        "missing",
+        "a run whose folder is removed ends",
+    ),
 )

@@ -78,8 +78,8 @@ MUTATIONS = (
     Mutation(
         "sensitivity-step",
         "src/model/facet_term.cpp",
-        "dofs.size() + j] / step * datum",
-        "dofs.size() + j] * datum",
+        '"compliance" ? step_ : 1.0;',
+        '"compliance" ? 2 * step_ : 1.0;',
         "factor",
         "contact's derivative with respect to the velocity is k times that with respect to the displacement",
     ),

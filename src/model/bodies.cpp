@@ -58,8 +58,7 @@ Bodies find_bodies(const fem::Space& space, const parallel::NodeNumbers& numbers
         changed = team.any(changed);
     }
     std::ranges::sort(whole);
-    const auto repeated = std::ranges::unique(whole);
-    whole.erase(repeated.begin(), repeated.end());
+    whole.erase(std::unique(whole.begin(), whole.end()), whole.end());
     Bodies bodies{whole.size(), {}};
     for (const double label : labels) {
         const auto place = std::ranges::lower_bound(whole, label);

@@ -12,7 +12,7 @@
 namespace thermocontact::petsc {
 namespace {
 
-constexpr double loosest = 1e-2;  ///< relative tolerance of the first linear solves of a step
+constexpr double loosest = 1e-1;  ///< relative tolerance of the first linear solves of a step
 constexpr double tightest = 1e-10;
 /// A step ends a hundredfold beyond the tolerance, as contact laws multiply what the momentum balance leaves:
 /// an error of the gap is a share of the onset, over which conductance rises, and |u| may be thousands of

@@ -1,9 +1,9 @@
 #!/bin/sh
 # Form and meaning of the sources; a finding is exit 1. Usage: sh tests/tidy.sh [--since COMMIT | FILE...]
-# Formatting of all files, types of the Python, and clang-tidy on src and verification: on all C++ files, or those that
-# differ from COMMIT (uncommitted ones too), or the named ones. Headers are judged where they are included, and by
-# themselves where they are named or differ. BUILD (default: build) is a configured build folder, JOBS (default: the
-# number of processors) how many files are judged at a time. Half an hour of processor time for all files.
+# Formatting of all files, types of the Python, and clang-tidy on src, verification and tests: on all C++ files, or
+# those that differ from COMMIT (uncommitted ones too), or the named ones. Headers are judged where they are included,
+# and by themselves where they are named or differ. BUILD (default: build) is a configured build folder, JOBS (default:
+# the number of processors) how many files are judged at a time. An hour of processor time for all files.
 set -eu
 . "$(dirname "$0")/../.ci/environment.sh"
 build="${BUILD:-build}"
@@ -20,9 +20,9 @@ case "${1-}" in
     git diff --name-only --diff-filter=d "${2:?a commit}"
     git ls-files --others --exclude-standard
     ;;
-"") find src verification -name '*.cpp' ;;
+"") find src verification tests -name '*.cpp' ;;
 *) printf '%s\n' "$@" ;;
-esac | grep -E '^(src|verification)/.*[.](cpp|h)$' | sort -u >"$build/tidy-files" || true
+esac | grep -E '^(src|verification|tests)/.*[.](cpp|h)$' | sort -u >"$build/tidy-files" || true
 cmake --build "$build" --target kernels
 
 # One call a file: a finding in one does not hide those of the next. GCC's warning options are unknown to it.

@@ -115,18 +115,18 @@ Checkpoint take(const std::string& sealed, const scene::Scene& scene) {
 }
 
 /// Of a folder, what may have been meant.
-SceneError found_folder(const std::filesystem::path& folder) {
+std::string found_folder(const std::filesystem::path& folder) {
     const std::filesystem::path inside = folder / checkpoint_name;
     std::error_code none;
-    return SceneError("expected a checkpoint file, found a folder" +
-                      (std::filesystem::is_regular_file(inside, none)
-                           ? "; did you mean " + inside.string() + "?"
-                           : " without a " + std::string(checkpoint_name) + " in it"));
+    return "expected a checkpoint file, found a folder" +
+           (std::filesystem::is_regular_file(inside, none)
+                ? "; did you mean " + inside.string() + "?"
+                : " without a " + std::string(checkpoint_name) + " in it");
 }
 
 std::string content_of(const std::filesystem::path& path) {
     if (std::error_code none; std::filesystem::is_directory(path, none)) {
-        throw found_folder(path);
+        throw SceneError(found_folder(path));
     }
     errno = 0;
     std::ifstream file(path, std::ios::binary);
@@ -166,7 +166,7 @@ std::string to_bytes(const Checkpoint& checkpoint, const scene::Scene& scene) {
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file, const scene::Scene& scene) {
-    const auto refuse = [&](const std::string& reason) -> SceneError {
+    const auto refuse = [&](const std::string& reason) {
         return SceneError("--restart " + file.string() + ": " + reason);
     };
     try {

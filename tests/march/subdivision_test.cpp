@@ -89,7 +89,7 @@ TEST(Subdivision, BeginsShortAndLengthensWhenTold) {
 
 TEST(Subdivision, GivesUp) {
     Subdivision parts;
-    EXPECT_EQ(march(0.3, 0.0, parts).size(), 3u) << "[0, 1/4], and two shorter ones before 0.3";
+    EXPECT_EQ(march(0.3, 0.0, parts).size(), 3U) << "[0, 1/4], and two shorter ones before 0.3";
     EXPECT_EQ(parts.smallest(), 1.0 / (1 << Subdivision::most_halvings));
     Subdivision often;
     int failures = 1;

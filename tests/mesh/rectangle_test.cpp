@@ -37,7 +37,7 @@ std::vector<Case> cases() {
 
 class Rectangle : public testing::TestWithParam<Case> {
   protected:
-    const scene::MeshSpec& spec() const { return GetParam().spec; }
+    static const scene::MeshSpec& spec() { return GetParam().spec; }
     int nx() const { return spec().cells[0]; }
     int ny() const { return spec().cells[1]; }
     bool crossed() const { return spec().diagonal == "crossed"; }

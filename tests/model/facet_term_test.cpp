@@ -56,9 +56,7 @@ std::vector<Case> cases() {
 class Bottom {
   public:
     Bottom(const Case& state)
-        : state_(state),
-          at_(contact_scene(state.exponent, state.regularisation)),
-          term_(at_.space, 2, velocity_) {
+        : at_(contact_scene(state.exponent, state.regularisation)), term_(at_.space, 2, velocity_) {
         // the outward normal is -y: u_n = -u_y. No motion along it, so that r is that of u_old alone.
         old_displacement_ = at_.nodal([&](double, double) {
             return std::array<double, 2>{0.0, -state.penetration};
@@ -106,7 +104,6 @@ class Bottom {
     }
 
   private:
-    Case state_;
     support::Discretisation at_;
     std::vector<double> velocity_, old_displacement_;
     FacetTerm term_;
@@ -301,7 +298,7 @@ TEST(FacetTerm, NodalForcesOfEachLaw) {
         EXPECT_EQ((i % 2 == 0 ? compliance : sliding)[i], 0.0);
         EXPECT_DOUBLE_EQ(compliance[i] + sliding[i], value[i]);
     }
-    for (std::size_t i = static_cast<std::size_t>(value.size()); i < compliance.size(); ++i) {
+    for (auto i = static_cast<std::size_t>(value.size()); i < compliance.size(); ++i) {
         EXPECT_EQ(compliance[i] + sliding[i], 0.0);
     }
 }

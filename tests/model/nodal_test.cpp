@@ -23,7 +23,7 @@ heat.capacity = 1
 
 class Degrees : public testing::TestWithParam<int> {
   protected:
-    Discretisation with(const std::string& text) const {
+    static Discretisation with(const std::string& text) {
         return Discretisation(body + text, {"space.degree=" + std::to_string(GetParam())});
     }
 };

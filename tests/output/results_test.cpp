@@ -32,7 +32,7 @@ class ResultFiles : public testing::Test {
         return text.str();
     }
     static void put(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
-    std::set<std::string> names(const fs::path& in) const {
+    static std::set<std::string> names(const fs::path& in) {
         std::set<std::string> result;
         for (const auto& entry : fs::directory_iterator(in)) {
             result.insert(entry.path().filename().string());
@@ -320,7 +320,7 @@ TEST_F(ResultFiles, SummaryKeys) {
         return result;
     };
     const auto expect_keys = [&](const std::string& place, const std::set<std::string>& expected) {
-        const auto found = keys(summary.at(Json::json_pointer(place)));
+        auto found = keys(summary.at(Json::json_pointer(place)));
         EXPECT_TRUE(std::ranges::includes(found, expected)) << place;
         return found;
     };

@@ -17,7 +17,7 @@ double at(const std::string& formula, double x, double y = 0, double t = 0) {
 
 std::string message(const std::string& formula, int dimension = 2) {
     try {
-        Expression(formula, dimension);
+        const Expression read(formula, dimension);
         return {};
     } catch (const SceneError& error) {
         return error.what();
@@ -84,7 +84,8 @@ TEST(Expression, KnowsItsDependence) {
 
 TEST(Expression, CopiesAreIndependentInUse) {
     const Expression a("x", 2);
-    const Expression b = a;
+    Expression b("y", 2);
+    b = a;
     EXPECT_EQ(a({1, 0, 0}, 0), 1);
     EXPECT_EQ(b({2, 0, 0}, 0), 2);
     EXPECT_EQ(a({3, 0, 0}, 0), 3);
@@ -148,7 +149,7 @@ TEST(Expression, HostileInput) {
     EXPECT_EQ(message(std::string("x\0y", 3)), "\"x\\x00y\": unexpected character at character 2");
     const std::string longest(10'001, '1');
     EXPECT_NE(message(longest).find("longer than 10000 characters"), std::string::npos);
-    EXPECT_LT(message(longest).size(), 200u);
+    EXPECT_LT(message(longest).size(), 200U);
     EXPECT_EQ(at(std::string(4000, '(') + "x" + std::string(4000, ')'), 2), 2);
     EXPECT_NE(message(std::string(9000, '(')), "");
     EXPECT_NE(message(std::string(9000, 'a')), "");

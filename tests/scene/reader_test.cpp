@@ -51,7 +51,7 @@ TEST(Reader, AbsentPhysicsIsAbsent) {
     EXPECT_TRUE(scene.initial.displacement.empty());
     EXPECT_TRUE(scene.initial.velocity.empty());
     EXPECT_FALSE(scene.initial.temperature);
-    EXPECT_EQ(scene.boundaries.size(), 2u);
+    EXPECT_EQ(scene.boundaries.size(), 2U);
     EXPECT_FALSE(scene.boundaries.at("top").contact);
     EXPECT_TRUE(scene.boundaries.at("top").traction.empty());
     EXPECT_TRUE(scene.boundaries.at("bottom").displacement.empty());

@@ -71,7 +71,7 @@ Values scene_with(const Key& key) {
     values[name] = key.example;
     put_in(values, key.name);
     const bool of_contact = name.find(".contact.") != std::string::npos;
-    if (of_contact && values.count("boundary.left.contact.conductance.onset") == 0) {
+    if (of_contact && !values.contains("boundary.left.contact.conductance.onset")) {
         put_in(values, "boundary.NAME.contact.compliance");
     }
     return values;

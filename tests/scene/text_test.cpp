@@ -8,10 +8,10 @@ namespace thermocontact::scene {
 namespace {
 
 TEST(Text, EditDistance) {
-    EXPECT_EQ(edit_distance("", "abc"), 3u);
-    EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
-    EXPECT_EQ(edit_distance("rnu", "run"), 1u);
-    EXPECT_EQ(edit_distance("same", "same"), 0u);
+    EXPECT_EQ(edit_distance("", "abc"), 3U);
+    EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
+    EXPECT_EQ(edit_distance("rnu", "run"), 1U);
+    EXPECT_EQ(edit_distance("same", "same"), 0U);
 }
 
 TEST(Text, NearestNames) {
@@ -39,7 +39,7 @@ TEST(Text, ValuesOnOneLine) {
     EXPECT_EQ(show(-INFINITY), "-inf");
     EXPECT_EQ(show("a\nb"), "\"a\\nb\"");
     EXPECT_EQ(show({1, 2.5, "x"}), "[1, 2.5, \"x\"]");
-    EXPECT_EQ(show(std::string(500, 'a')).size(), 83u);
+    EXPECT_EQ(show(std::string(500, 'a')).size(), 83U);
     EXPECT_EQ(one_line("a\nb\x1b"), "a\\nb\\x1b");
     EXPECT_EQ(one_line("aaa\xc3\xa9", 4), "aaa...");
 }

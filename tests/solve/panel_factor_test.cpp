@@ -38,10 +38,10 @@ Eigen::MatrixXd random_positive(int size, int entries_a_row) {
     const auto values = support::random_numbers(static_cast<std::size_t>(size * entries_a_row), 11);
     const auto places = support::random_numbers(values.size(), 12);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const int row = static_cast<int>(i) / entries_a_row,
-                  column = static_cast<int>((places[i] + 1) / 2 * size);
-        A(row, column) += values[i];
-        A(column, row) += values[i];
+        const int one = static_cast<int>(i) / entries_a_row,
+                  other = static_cast<int>((places[i] + 1) / 2 * size);
+        A(one, other) += values[i];
+        A(other, one) += values[i];
     }
     A.diagonal() = 1.2 * A.cwiseAbs().rowwise().sum().array() + 0.1;
     return A;

@@ -46,15 +46,17 @@ class CoarseNodes {
     std::vector<std::int32_t> global_;
 };
 
-/// (A Q)^T of this part.
+/// ((1 - omega A) Q)^T of this part; Q itself counts where the node is owned.
 template <int size, int motions>
-Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) {
+Rows smoothed(const Matrix& A, const Rows& Q, float omega, const SharedNodes& nodes,
+              const CoarseNodes& coarse) {
     constexpr int fine = lanes(size);
     const Columns before = by_column(A.offsets, A.columns, A.offsets.size() - 1);  // the lower triangle
     RowCollector row(coarse.count(), Q.length);
     Rows result{Q.length, {0}, {}, {}};
+    const auto global = [&](std::int32_t local) { return coarse.global()[static_cast<std::size_t>(local)]; };
     // block: A_ij by its columns, or A_ji by its rows
-    const auto add = [&](const float* block, std::int32_t j, bool transposed) {
+    const auto subtract = [&](const float* block, std::int32_t j, bool transposed) {
         const auto entry = static_cast<std::size_t>(Q.offsets[static_cast<std::size_t>(j)]);
         if (entry == static_cast<std::size_t>(Q.offsets[static_cast<std::size_t>(j) + 1])) {
             return;
@@ -64,53 +66,37 @@ Rows times_tentative(const Matrix& A, const Rows& Q, const CoarseNodes& coarse) 
         for (int r = 0; r < size; ++r) {
             ColumnMap<motions> sum(column_of<motions>(to, r));
             for (int s = 0; s < size; ++s) {
-                sum += ConstColumnMap<motions>(column_of<motions>(from, s)) *
-                       (transposed ? block[r * fine + s] : block[s * fine + r]);
+                sum -= ConstColumnMap<motions>(column_of<motions>(from, s)) *
+                       (omega * (transposed ? block[r * fine + s] : block[s * fine + r]));
             }
+        }
+    };
+    const auto add_own = [&](std::size_t i) {
+        const auto last = static_cast<std::size_t>(Q.offsets[i + 1]);
+        for (auto entry = static_cast<std::size_t>(Q.offsets[i]); entry < last; ++entry) {
+            const float* from = Q.values.data() + entry * Q.length;
+            float* to = row.at(coarse.local(Q.columns[entry]));
+            std::transform(from, from + Q.length, to, to, std::plus<>());
         }
     };
     for (std::size_t i = 0; i + 1 < A.offsets.size(); ++i) {
         const auto end = static_cast<std::size_t>(A.offsets[i + 1]);
         for (auto pair = static_cast<std::size_t>(A.offsets[i]); pair < end; ++pair) {
-            add(A.block(pair), A.columns[pair], false);
+            subtract(A.block(pair), A.columns[pair], false);
         }
         const auto last = static_cast<std::size_t>(before.offsets[i + 1]);
         for (auto k = static_cast<std::size_t>(before.offsets[i]); k < last; ++k) {
             if (before.rows[k] != static_cast<std::int32_t>(i)) {
-                add(A.block(static_cast<std::size_t>(before.places[k])), before.rows[k], true);
+                subtract(A.block(static_cast<std::size_t>(before.places[k])), before.rows[k], true);
             }
         }
-        row.finish(result.offsets, result.columns, result.values);
-    }
-    std::ranges::transform(
-        result.columns, result.columns.begin(),
-        [&global = coarse.global()](std::int32_t local) { return global[static_cast<std::size_t>(local)]; });
-    return result;
-}
-
-/// Q - omega T, transposed.
-template <int size, int motions>
-Prolongation smoothed(const Rows& Q, const Rows& T, float omega, const CoarseNodes& coarse) {
-    RowCollector row(coarse.count(), Q.length);
-    Prolongation result{size, motions, {0}, {}, {}};
-    const auto global = [&](std::int32_t column) {
-        return coarse.global()[static_cast<std::size_t>(column)];
-    };
-    const auto add = [&](const Rows& rows, std::size_t i, float factor) {
-        const auto last = static_cast<std::size_t>(rows.offsets[i + 1]);
-        for (auto entry = static_cast<std::size_t>(rows.offsets[i]); entry < last; ++entry) {
-            float* to = row.at(coarse.local(rows.columns[entry]));
-            const float* from = rows.values.data() + entry * rows.length;
-            std::transform(from, from + rows.length, to, to,
-                           [factor](float value, float sum) { return sum + factor * value; });
+        if (nodes.owned(i)) {
+            add_own(i);
         }
-    };
-    for (std::size_t i = 0; i + 1 < Q.offsets.size(); ++i) {
-        add(T, i, -omega);
-        add(Q, i, 1.0F);
         // sums over the row then have the same order on every process
         row.finish(result.offsets, result.columns, result.values, global);
     }
+    std::ranges::transform(result.columns, result.columns.begin(), global);
     return result;
 }
 
@@ -204,12 +190,15 @@ Coarsening coarsen(const Matrix& A, double largest, const Aggregates& aggregates
     nodes.add_up(Q.transposed);
     const auto omega = static_cast<float>(damping / largest);
     Prolongation P = with_sizes(A.size, motions.motions, [&]<int size, int n>() {
-        Rows T = times_tentative<size, n>(A, Q.transposed,
-                                          CoarseNodes(numbers.begin(), numbers.end(), Q.transposed));
-        nodes.add_up(T);
-        const CoarseNodes coarse(numbers.begin(), numbers.end(), T);
+        Rows rows = smoothed<size, n>(A, Q.transposed, omega, nodes,
+                                      CoarseNodes(numbers.begin(), numbers.end(), Q.transposed));
+        nodes.add_up(rows);
+        const CoarseNodes coarse(numbers.begin(), numbers.end(), rows);
         numbers.global = coarse.global();
-        return smoothed<size, n>(Q.transposed, T, omega, coarse);
+        std::ranges::transform(rows.columns, rows.columns.begin(),
+                               [&](std::int32_t global) { return coarse.local(global); });
+        return Prolongation{size, n, std::move(rows.offsets), std::move(rows.columns),
+                            std::move(rows.values)};
     });
     return {std::move(P), std::move(numbers), std::move(Q.motions)};
 }

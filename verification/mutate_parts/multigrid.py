@@ -22,8 +22,8 @@ MUTATIONS = (
     Mutation(
         "prolongation-smoothing",
         "src/multigrid/prolongation.cpp",
-        "add(T, i, -omega);",
-        "add(T, i, omega);",
+        "sum -= ConstColumnMap<motions>",
+        "sum += ConstColumnMap<motions>",
         "sign",
         "Jacobi's step",
     ),

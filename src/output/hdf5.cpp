@@ -31,13 +31,13 @@ Hdf5Object in_memory() {
 
 hid_t create() {
     const Hdf5Object access = in_memory();
-    check(H5Pset_fapl_core(access, growth, 0), "set up a file in memory");
+    check(H5Pset_fapl_core(access, growth, false), "set up a file in memory");
     return H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access);
 }
 
 hid_t open(std::string_view bytes) {
     const Hdf5Object access = in_memory();
-    check(H5Pset_fapl_core(access, growth, 0), "set up a file in memory");
+    check(H5Pset_fapl_core(access, growth, false), "set up a file in memory");
     // the library copies the image and leaves the original as it is
     check(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "take in a file");
     return H5Fopen("checkpoint", H5F_ACC_RDONLY, access);

@@ -61,7 +61,8 @@ std::vector<std::string> differences(const Json& here, const Json& there) {
     for (const auto& [key, value] : all) {
         const std::string a = said(mine, key), b = said(theirs, key);
         if (a != b && !may_differ(key)) {
-            found.push_back(key + " is " + a + " here and " + b + " there");
+            found.push_back(key);
+            found.back().append(" is ").append(a).append(" here and ").append(b).append(" there");
         }
     }
     const auto step = step_of(mine), other = step_of(theirs);

@@ -27,7 +27,10 @@ double of_system() {
 double of_control_group() {
     std::ifstream limit_file("/sys/fs/cgroup/memory.max"), used_file("/sys/fs/cgroup/memory.current");
     double limit = 0, used = 0;
-    return limit_file >> limit && used_file >> used ? std::max(0.0, limit - used) : unlimited;
+    if (limit_file >> limit && used_file >> used) {
+        return std::max(0.0, limit - used);
+    }
+    return unlimited;
 }
 
 }  // namespace

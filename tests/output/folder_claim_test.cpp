@@ -21,7 +21,7 @@ class Folder : public testing::Test {
     const fs::path folder =
         fs::path(testing::TempDir()) / ("thermocontact-claim-" + std::to_string(getpid()) + "-" +
                                         testing::UnitTest::GetInstance()->current_test_info()->name());
-    const parallel::Alone alone;
+    const parallel::Alone alone{};
 };
 
 TEST_F(Folder, IsMadeWithItsParents) {

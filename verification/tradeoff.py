@@ -1,163 +1,146 @@
 """Speed against accuracy: each knob of a scene is turned, its error and its time are measured.
 
-    python3 verification/tradeoff.py [SCENE.toml] [--output DIR] [--reference N] [--repeat R] [--knob NAME]...
-                                     [--driver PROGRAM]
+    python3 verification/tradeoff.py [SCENE.toml] [--output DIR] [--finer F] [--rounds R] [--knob NAME]... [--limit S]
+                                     [--jobs J] [--set KEY=VALUE]... [--driver PROGRAM] [--small]
 
-The scene is one on a rectangle; default the paper's with K = I. The plan
-(tradeoff_parts/plan.py) turns mesh, degree, step, scheme, adaptive tolerance, epsilon, coupling, Newton's tolerance and
-strategy, each alone from one base, and adds the paper's choice h = k and some bargains of several knobs.
+SCENE (default: the paper's with K = I) is on a rectangle or box, or a mesh of Gmsh, where the mesh is no knob. The plan
+(tradeoff_parts/plan.py) turns mesh, degree, grading, step and scheme, adaptive tolerance, epsilon, contact quadrature,
+Newton's tolerance, coupling and strategy, each alone from one base, beside the scene as it is, the paper's choice h = k
+and bargains of several. A knob that the scene or the driver does not have is named and left out.
 
-Error: the largest, over displacement, velocity, temperature and eight times, of the difference to the reference at the
-vertices of an 8 x 8 lattice that all meshes share, in the l2 norm and relative to the field's largest. It is not a norm
-over the body: nodal values may be better than what lies between. The reference (N x N cells of degree 2, 32 N steps of
-bdf2, a hundredth of the scene's epsilon) is bounded by the differences that come from halving its mesh, doubling its step and enlarging
-its epsilon tenfold: their sum is printed, and errors below three times that are not counted for the front. Beside the
-error stands that of the knob alone, to its finest value with all others at the base.
+Error: the largest, over output times and the norms ||w||_L2, ||eps(u)||_L2, ||theta||_L2 over the body (lattice_errors),
+of the difference to a reference, relative to the largest norm of the reference's field. The reference is finer in all
+that errs; by how much it may itself be off is bounded for each source (tradeoff_parts/bounds.py has the derivation) and
+printed. Errors below three times that sum are marked: they may be off by more than a third, and are not on the front.
 
-In DIR: tradeoff.csv, prices.txt, tradeoff.png. Exit codes: 0 done, 1 a run failed, 2 the scene is not one for it.
+Beside its error stand its parts: from a configuration to the reference one source after the other is made the
+reference's, and the distances of these steps are the parts of solver, coupling, time, regularisation, contact quadrature
+and space. By the triangle inequality their sum is at least the error.
+
+Time: setup, factorisations and steps, medians over rounds in which each configuration runs once, alone. A run that fails
+or takes longer than --limit is a row that says so. --finer F: F times the cells and steps of the reference.
+
+In DIR: tradeoff.csv (all configurations), prices.csv (what a digit costs, orders), tradeoff.txt, tradeoff.png (and .pdf
+but for --small). Exit codes: 0 done, 1 the reference failed or nothing can be written, 2 the scene is not one for it.
 """
 
 import argparse
 import csv
 import json
-import subprocess
 import sys
 import tempfile
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from restart_parts.runs import Program, RunFailed
-from tradeoff_parts.measure import Box, Outcome, distance, run
-from tradeoff_parts.plan import Configuration, Scene, base, halves, plan, reference
-from tradeoff_parts.report import Point, by_knob, draw, front, prices
+from tradeoff_parts.facts import Facts, Unfit, absent, facts_of, hindrances, keys, stated
+from tradeoff_parts.measure import NoReference, Reference, best_ratio, bounds, measured
+from tradeoff_parts.picture import draw
+from tradeoff_parts.plan import Plan, knobs
+from tradeoff_parts.prices import prices
+from tradeoff_parts.runs import Failed, Runs, run
+from tradeoff_parts.tables import Study, text, write_points, write_prices
+from under_test import DRIVER, ROOT
 
-ROOT = Path(__file__).resolve().parent.parent
+
+def setting(words: str) -> tuple[str, Any]:
+    key, separator, value = words.partition("=")
+    try:
+        return key, tomllib.loads(f"value = {value}")["value"]
+    except tomllib.TOMLDecodeError as problem:
+        raise argparse.ArgumentTypeError("must be KEY=VALUE, a value of TOML") from problem
 
 
-def parse() -> argparse.Namespace:
+def positive(words: str) -> int:
+    if not words.isdigit() or int(words) == 0:
+        raise argparse.ArgumentTypeError("must be a whole number from 1 on")
+    return int(words)
+
+
+def parse(arguments: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description="Measure the trade of speed against accuracy.")
     parser.add_argument("scene", nargs="?", type=Path, default=ROOT / "scenes" / "paper-isotropic.toml")
     parser.add_argument("--output", type=Path, default=Path("tradeoff"), metavar="DIR")
-    parser.add_argument("--reference", type=int, default=64, choices=(16, 32, 64, 128), metavar="N")
-    parser.add_argument("--repeat", type=int, default=3, metavar="R")
-    parser.add_argument("--knob", action="append", metavar="NAME", help="these alone")
-    parser.add_argument("--driver", type=Path, default=ROOT / "build" / "thermocontact")
-    return parser.parse_args()
-
-
-def resolved(driver: Path, scene: Path, folder: Path) -> dict[str, Any]:
-    """The scene with all defaults, from the summary of a crude run. Raises ValueError where it is not one for this."""
-    mesh = tomllib.loads(scene.read_text(encoding="utf-8")).get("mesh", {})
-    if "file" in mesh or mesh.get("shape", "rectangle") != "rectangle":
-        raise ValueError('mesh.shape: expected "rectangle", as meshes must share vertices')
-    command = [
-        driver,
-        "run",
-        scene,
-        "--quiet",
-        "--output",
-        folder,
-        "--set",
-        "time.steps=1",
-        "--set",
-        "mesh.cells=[8,8]",
-    ]
-    answer = subprocess.run([str(word) for word in command], capture_output=True, text=True)
-    if answer.returncode != 0:
-        raise ValueError(answer.stderr.strip())
-    content: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["scene"]
-    return content
-
-
-def described(content: dict[str, Any]) -> tuple[Scene, Box]:
-    contacts = {
-        name: side["contact"] for name, side in content.get("boundary", {}).items() if "contact" in side
-    }
-    friction = {name: contact["friction"] for name, contact in contacts.items() if "friction" in contact}
-    epsilon = min((law["regularisation"] for law in friction.values()), default=0.0)
-    mesh = content["mesh"]
-    scene = Scene(tuple(friction), epsilon, "material" in content and "heat" in content)
-    return scene, Box(tuple(mesh["lower"]), tuple(mesh["upper"]))
-
-
-def measured(outcomes: Sequence[tuple[Configuration, Outcome]], best: Outcome) -> list[Point]:
-    """With the error of each knob alone: to the finest of its values, which has none."""
-    points = [Point(of, distance(done.states, best.states), 0.0, done.seconds) for of, done in outcomes]
-    finest = {knob: of[-1].configuration for knob, of in by_knob(points).items()}
-    states = {id(of): done.states for of, done in outcomes}
-    return [
-        Point(
-            point.configuration, point.error, distance(states[id(point.configuration)], other), point.seconds
-        )
-        for point in points
-        for other in [states[id(finest[point.configuration.knob])]]
-    ]
-
-
-def write(points: Sequence[Point], bound: float, title: str, folder: Path) -> None:
-    trusted = [point for point in points if point.error > 3 * bound]
-    best = {id(point) for point in front(trusted)}
-    with (folder / "tradeoff.csv").open("w", encoding="ascii", newline="") as file:
-        table = csv.writer(file)
-        table.writerow(("knob", "value", "error", "own_error", "seconds", "on_front", "settings"))
-        for point in points:
-            of = point.configuration
-            row = (
-                of.knob,
-                of.value,
-                point.error,
-                point.own,
-                point.seconds,
-                id(point) in best,
-                json.dumps(of.settings),
-            )
-            table.writerow(row)
-    (folder / "prices.txt").write_text("\n".join(prices(points)) + "\n", encoding="utf-8")
-    draw(trusted, bound, title, folder / "tradeoff.png")
-
-
-def study(arguments: argparse.Namespace, folder: Path) -> None:
-    driver = arguments.driver.resolve()
-    scene, box = described(resolved(driver, arguments.scene, folder / "first"))
-    program = Program(driver, arguments.scene, {})
-    best = run(program, box, folder / "reference", reference(scene, arguments.reference), 1)
-    parts = {
-        name: distance(run(program, box, folder / name, settings, 1).states, best.states)
-        for name, settings in halves(scene, arguments.reference).items()
-    }
-    bound = sum(parts.values())
-    print(
-        "the reference errs by " + " + ".join(f"{value:.1e} ({name})" for name, value in parts.items()),
-        flush=True,
+    parser.add_argument("--finer", type=positive, default=1, metavar="F")
+    parser.add_argument("--rounds", type=positive, default=3, metavar="R")
+    parser.add_argument("--knob", action="append", metavar="NAME", help="these alone; all that begin so")
+    parser.add_argument("--limit", type=float, default=300.0, metavar="S", help="seconds that a run may take")
+    parser.add_argument(
+        "--jobs", type=positive, default=2, metavar="J", help="runs at a time, of those not timed"
     )
-    outcomes = []
-    for of in plan(scene):
-        if not arguments.knob or of.knob in arguments.knob:
-            outcome = run(program, box, folder / "run", {**base(scene), **of.settings}, arguments.repeat)
-            outcomes.append((of, outcome))
-            error = distance(outcome.states, best.states)
-            print(f"{of.knob:<20} {of.value:9.3g} {error:9.2e} {outcome.seconds:8.3f} s", flush=True)
-    points = measured(outcomes, best)
-    arguments.output.mkdir(parents=True, exist_ok=True)
-    write(points, bound, arguments.scene.stem, arguments.output)
-    print("\n".join(prices(points)))
+    parser.add_argument("--set", type=setting, action="append", default=[], metavar="KEY=VALUE")
+    parser.add_argument("--driver", type=Path, default=DRIVER)
+    parser.add_argument("--small", action="store_true", help="a small picture, for a README")
+    return parser.parse_args(arguments)
 
 
-def main() -> int:
-    arguments = parse()
+def say(words: str) -> None:
+    print(words, file=sys.stderr, flush=True)
+
+
+def first_run(options: argparse.Namespace, folder: Path) -> tuple[Facts, Mapping[str, Any], list[float]]:
+    """Facts, the scene with all defaults, and the share of contact after each step. Raises Unfit."""
+    schema = keys(options.driver)
+    written = stated(options.scene)
+    settings: dict[str, Any] = {**dict(options.set), "output.fields": []}
+    summary = run(options.driver, options.scene, folder, settings, options.limit)
+    if isinstance(summary, Failed):
+        raise Unfit(summary.reason)
+    resolved = summary["scene"]
+    with (folder / "history.csv").open(encoding="utf-8") as file:
+        fractions = [float(row.get("contact_fraction") or 0.0) for row in csv.DictReader(file)]
+    return facts_of(options.scene.stem, written, resolved, schema), resolved, fractions
+
+
+def study(options: argparse.Namespace, folder: Path) -> Study:
+    facts, resolved, fractions = first_run(options, folder / "first")
+    runs = Runs(options.driver, options.scene, facts, folder, options.limit, options.jobs, dict(options.set))
+    plan = Plan(facts, options.finer)
+    plan = Plan(facts, options.finer, best_ratio(runs, plan))
+    known = knobs(facts)
+    chosen = [of for of in plan.configurations() if wanted(of.knob, options.knob)]
+    if not chosen:
+        raise Unfit(f"--knob: expected one of {', '.join(known)}")
+    say("the reference")
+    best = Reference(runs, plan.reference())
+    say("the reference made coarser, one source at a time")
+    found, unbounded = bounds(runs, plan, best)
+    own: dict[str | None, float] = {part.source: part.value for part in found}
+    own[None] = sum(own.values())
+    points, lost = measured(runs, best, own[None], chosen, options.rounds, say)
+    words = json.dumps(best.choice.settings(facts))
+    reasons = absent(facts), hindrances(resolved, fractions)
+    return Study(facts, words, found, unbounded, points, lost, prices(points, known, own), known, *reasons)
+
+
+def wanted(knob: str, chosen: Sequence[str] | None) -> bool:
+    return chosen is None or any(knob.startswith(name) for name in chosen)
+
+
+def main(arguments: Sequence[str]) -> int:
+    options = parse(arguments)
+    options.driver = options.driver.resolve()
     try:
-        with tempfile.TemporaryDirectory() as folder:
-            study(arguments, Path(folder))
-    except RunFailed as failure:
-        print(f"tradeoff: {failure}", file=sys.stderr)
-        return 1
-    except (OSError, ValueError, KeyError) as failure:
-        print(f"tradeoff: {arguments.scene}: {failure}", file=sys.stderr)
+        with tempfile.TemporaryDirectory(prefix="tradeoff-") as folder:
+            found = study(options, Path(folder))
+        options.output.mkdir(parents=True, exist_ok=True)
+        write_points(found, options.output / "tradeoff.csv")
+        write_prices(found, options.output / "prices.csv")
+        (options.output / "tradeoff.txt").write_text(text(found) + "\n", encoding="utf-8")
+        draw(found, options.output, options.small)
+        print(text(found))
+    except Unfit as problem:
+        print(f"tradeoff: {options.scene}: {problem}", file=sys.stderr)
         return 2
+    except NoReference as problem:
+        print(f"tradeoff: {options.scene}: no reference, so no errors: {problem}", file=sys.stderr)
+        return 1
+    except OSError as problem:
+        print(f"tradeoff: {problem}", file=sys.stderr)
+        return 1
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

@@ -1,71 +1,152 @@
-"""Run configurations of one scene; how far apart their results are."""
+"""The study of one scene: its reference and how far that may be off, the error of each configuration by source."""
 
-import statistics
-from collections.abc import Mapping
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
-from oracle_parts import vtu
-from restart_parts.runs import Program
+from lattice_errors import Array, Body
+from tradeoff_parts.bounds import Bound, bound
+from tradeoff_parts.choice import SOURCES, Choice, present
+from tradeoff_parts.plan import Configuration, Plan
+from tradeoff_parts.runs import Done, Failed, Runs, Seconds
 
-OUTPUTS = 8  # times at which results are compared; every number of steps is a multiple
-SHARED = 8  # cells a side of the lattice whose vertices every mesh has
-FIELDS = ("displacement", "velocity", "temperature")
-Array = npt.NDArray[np.float64]
-States = list[dict[str, Array]]  # at each output time, the fields at the shared vertices
+TOLD_APART = 3.0  # errors above this many bounds of the reference's own are known to a third
 
 
-@dataclass(frozen=True)
-class Outcome:
-    states: States
-    seconds: float  # assembly, factorisations and steps
-    summary: Mapping[str, Any]
+class NoReference(Exception):
+    """The reference could not be solved."""
 
 
 @dataclass(frozen=True)
-class Box:
-    lower: tuple[float, ...]
-    upper: tuple[float, ...]
+class Error:
+    """Each norm's largest value over the output times, over that of the reference's field: w, eps(u), theta."""
 
-    def shared(self, points: Array) -> Array:
-        """Indices of the shared vertices among the points, in an order of their own."""
-        lower, upper = np.array(self.lower), np.array(self.upper)
-        scaled = SHARED * (points[:, : len(lower)] - lower) / (upper - lower)
-        whole = np.rint(scaled)
-        at = np.flatnonzero(np.all(np.abs(scaled - whole) < 1e-9, axis=1))
-        order = np.lexsort(whole[at].T)
-        found: Array = at[order]
-        if len(found) != (SHARED + 1) ** len(lower):
-            raise ValueError(f"the mesh has {len(found)} of {(SHARED + 1) ** len(lower)} shared vertices")
-        return found
+    norms: tuple[float, float, float]
+
+    @property
+    def largest(self) -> float:
+        return max(self.norms)
 
 
-def run(program: Program, box: Box, folder: Path, settings: Mapping[str, Any], repeat: int) -> Outcome:
-    """Median time of `repeat` runs. Raises RunFailed."""
-    seconds = []
-    every = max(1, settings["time.steps"] // OUTPUTS)
-    keys = {key.replace(".", "__"): value for key, value in {**settings, "output.every": every}.items()}
-    for _ in range(repeat):
-        summary = program.run(folder, **keys)
-        seconds.append(sum(summary["seconds"][part] for part in ("setup", "factor", "steps")))
-    states = []
-    for entry in vtu.read_collection(folder / "fields.pvd"):
-        if entry.part == 0:
-            grid = vtu.read_grid(folder / entry.file)
-            at = box.shared(grid.points)
-            states.append({name: grid.point_data[name][at] for name in FIELDS if name in grid.point_data})
-    return Outcome(states, statistics.median(seconds), summary)
+@dataclass(frozen=True)
+class Point:
+    configuration: Configuration
+    error: Error
+    parts: Mapping[str, Error]  # by source
+    seconds: Seconds
+    told: bool  # from the reference, whose own error is far below
 
 
-def distance(a: States, b: States) -> float:
-    """The largest over fields and times, relative to the largest norm of the field in `b`."""
-    worst = 0.0
-    for name in b[0]:
-        scale = max(float(np.linalg.norm(state[name])) for state in b)
-        apart = max(float(np.linalg.norm(x[name] - y[name])) for x, y in zip(a, b, strict=True))
-        worst = max(worst, apart / scale if scale > 0 else 0.0)
-    return worst
+@dataclass(frozen=True)
+class Lost:
+    configuration: Configuration
+    reason: str
+
+
+class Reference:
+    """Raises NoReference where it fails."""
+
+    def __init__(self, runs: Runs, choice: Choice) -> None:
+        found = runs.of(choice)
+        if isinstance(found, Failed):
+            raise NoReference(found.reason)
+        self.choice, self.solution = choice, found.solution
+        self.body = Body(found.solution.mesh)
+        size = self.body.norms(found.solution).max(axis=0)
+        # a field that is not there, or that nothing moves, counts as it is
+        self.scale: Array = np.where(size > 0, size, 1.0)
+
+    def distance(self, one: Done, two: Done) -> Error:
+        apart = self.body.norms(one.solution, two.solution).max(axis=0) / self.scale
+        return Error((float(apart[0]), float(apart[1]), float(apart[2])))
+
+
+def chain(choice: Choice, best: Choice) -> list[Choice]:
+    """From a choice to the reference, one source after the other made the reference's, each in SOURCES' order."""
+    links = [choice]
+    for source in SOURCES:
+        links.append(replace(links[-1], **{source: getattr(best, source)}))
+    return links
+
+
+def best_ratio(runs: Runs, plan: Plan) -> float | None:
+    """Of the grading: the one whose refinement moves the solution least. None where there is no grading."""
+    pilots = plan.pilots()
+    runs.all([choice for pair in pilots.values() for choice in pair])
+    moved = {}
+    for ratio, pair in pilots.items():
+        coarse, fine = (runs.of(choice) for choice in pair)
+        if isinstance(coarse, Done) and isinstance(fine, Done):
+            body = Body(fine.solution.mesh)
+            size = body.norms(fine.solution).max(axis=0)
+            apart = body.norms(coarse.solution, fine.solution).max(axis=0)
+            moved[ratio] = max(a / s for a, s in zip(apart, size) if s > 0)
+    return min(moved, key=lambda ratio: moved[ratio]) if moved else None
+
+
+def bounds(runs: Runs, plan: Plan, best: Reference) -> tuple[list[Bound], list[str]]:
+    """Of the reference's error by source, and what could not be bounded."""
+    sources = present(plan.facts)
+    coarser = {source: of for source, of in plan.coarser().items() if source in sources}
+    runs.all([choice for _, _, choices in coarser.values() for choice in choices])
+    found, missing = [], []
+    whole = runs.of(best.choice)
+    for source in sources:
+        if source not in coarser:
+            missing.append(f"{source}: not bounded, errors are those on this mesh")
+            continue
+        ratio, theory, choices = coarser[source]
+        done = [runs.of(choice) for choice in choices]
+        failed = [run for run in done if isinstance(run, Failed)]
+        if failed or isinstance(whole, Failed):
+            missing.append(f"{source}: not bounded: {failed[0].reason if failed else ''}")
+            continue
+        finished = [whole, *(run for run in done if isinstance(run, Done))]
+        apart = [best.distance(b, a).largest for a, b in zip(finished, finished[1:])]
+        found.append(bound(source, ratio, theory, apart[0], apart[1] if len(apart) > 1 else None))
+    return found, missing
+
+
+def split(runs: Runs, best: Reference, choice: Choice) -> Mapping[str, Error]:
+    """The links of the chain by source; those that a run failed on are missing. Their sum is at least the error."""
+    links = chain(choice, best.choice)
+    found = {}
+    for source, one, two in zip(SOURCES, links, links[1:]):
+        if runs.key(one) == runs.key(two):
+            continue
+        here, there = runs.of(one), runs.of(two)
+        if isinstance(here, Done) and isinstance(there, Done):
+            found[source] = best.distance(here, there)
+    return found
+
+
+def measured(
+    runs: Runs,
+    best: Reference,
+    own: float,
+    configurations: Sequence[Configuration],
+    rounds: int,
+    say: Callable[[str], None],
+) -> tuple[list[Point], list[Lost]]:
+    """`own`: the bound of the reference's error."""
+    choices = [of.choice for of in configurations]
+    runs.all(choices)
+    finished = [of for of in configurations if isinstance(runs.of(of.choice), Done)]
+    say(f"{len(finished)} configurations, by source")
+    runs.all([link for of in finished for link in chain(of.choice, best.choice)])
+    say(f"{len(finished)} configurations, {rounds} rounds of time")
+    times = runs.seconds(list(dict.fromkeys(of.choice for of in finished)), rounds)
+    points, lost = [], []
+    whole = runs.of(best.choice)
+    for of in configurations:
+        run, time = runs.of(of.choice), times.get(of.choice)
+        if isinstance(run, Failed):
+            lost.append(Lost(of, run.reason))
+        elif isinstance(time, Failed):
+            lost.append(Lost(of, time.reason))
+        elif time and isinstance(whole, Done):
+            error = best.distance(run, whole)
+            told = error.largest > TOLD_APART * own
+            points.append(Point(of, error, split(runs, best, of.choice), time, told))
+    return points, lost

@@ -1,10 +1,27 @@
-"""The designed set of configurations: each knob turned alone from one base, and some bargains of several."""
+"""The designed set of configurations: each knob turned alone from one base, the scene as it is, the paper's choice, bargains."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass, replace
 
-EPSILON = "boundary.{side}.contact.friction.regularisation"
+from tradeoff_parts.choice import Choice, Coupling, Quadrature, Regularisation, Solver, Space, Time
+from tradeoff_parts.facts import Facts
+
+DEFAULT, PAPER, BARGAIN = "the scene as it is", "the paper's h = k", "bargains"
+RATIOS = (1.0, 4.0, 16.0)  # of the grading, tried for the reference
+TIGHT = 1e-12  # Newton's relative residual in all that is not about it
+TIGHT_COUPLING = 1e-6
+BASE_COUPLING = 1e-3
+FIRST_ORDER, PREFERRED = "backward-euler", "bdf2"
+NOT_ADAPTIVE = "midpoint"
+
+
+@dataclass(frozen=True)
+class Knob:
+    """`theory`: orders in `value` of ||w||_L2, ||eps(u)||_L2, ||theta||_L2 for smooth solutions; `why` where it has none."""
+
+    source: str | None  # whose error it turns; None: several
+    theory: tuple[float, float, float] | None = None
+    why: str = ""
 
 
 @dataclass(frozen=True)
@@ -13,82 +30,234 @@ class Configuration:
 
     knob: str
     value: float
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    choice: Choice
+
+
+def step_knob(scheme: str) -> str:
+    return f"step, {scheme}"
+
+
+def tolerance_knob(scheme: str) -> str:
+    return f"tolerance, {scheme}"
+
+
+def lagged_knob(scheme: str) -> str:
+    return f"lagged coupling, {scheme}"
+
+
+MESH_1, MESH_2, GRADED = "mesh, degree 1", "mesh, degree 2", "mesh, degree 2, graded"
+DEGREE, EPSILON, RULE = "degree", "epsilon", "contact quadrature"
+NEWTON, ITERATED, STRATEGY = "Newton tolerance", "coupling tolerance", "strategy"
+
+
+def knobs(facts: Facts) -> Mapping[str, Knob]:
+    """In the order in which tables and pictures have them."""
+    found = {}
+    for scheme in facts.schemes:
+        order = 1.0 if scheme == FIRST_ORDER else 2.0
+        found[step_knob(scheme)] = Knob("time", (order, order, order))
+    for scheme in facts.schemes:
+        # errors of a step are k^(p+1), of all of them the tolerance^(p/(p+1))
+        order = 1 / 2 if scheme == FIRST_ORDER else 2 / 3
+        found[tolerance_knob(scheme)] = Knob("time", (order, order, order))
+    lagged = {
+        lagged_knob(scheme): Knob("coupling", found[step_knob(scheme)].theory) for scheme in facts.schemes
+    }
+    kinks = "integrands with kinks where contact ends: no order"
+    return found | {
+        MESH_1: Knob("space", (2.0, 1.0, 2.0)),
+        MESH_2: Knob("space", (3.0, 2.0, 3.0)),
+        GRADED: Knob("space", (3.0, 2.0, 3.0)),
+        DEGREE: Knob("space", why="two degrees on one mesh: no order"),
+        EPSILON: Knob("regularisation", (1.0, 1.0, 1.0)),
+        RULE: Knob("quadrature", why=kinks),
+        NEWTON: Knob("solver", (1.0, 1.0, 1.0)),
+        ITERATED: Knob("coupling", (1.0, 1.0, 1.0)),
+        **lagged,
+        STRATEGY: Knob("solver", why="the same solution by another way"),
+        DEFAULT: Knob(None),
+        PAPER: Knob(None, why="h, k, epsilon and lagged coupling at once"),
+        BARGAIN: Knob(None, why="several knobs at once"),
+    }
+
+
+def scaled(cells: tuple[int, ...] | None, factor: float) -> tuple[int, ...] | None:
+    return None if cells is None else tuple(max(1, round(count * factor)) for count in cells)
+
+
+def as_it_is(facts: Facts) -> Choice:
+    return Choice(
+        Solver(facts.solver_tolerance, facts.strategy),
+        Coupling(facts.iterated),
+        Time(facts.scheme, facts.steps),
+        Regularisation(1.0),
+        Quadrature(None),
+        Space(facts.cells, facts.degree),
+    )
 
 
 @dataclass(frozen=True)
-class Scene:
-    """What the plan must know of a scene."""
+class Plan:
+    """`finer` times the cells and steps of the default reference; `ratio` of its grading, None where there is none."""
 
-    sides: tuple[str, ...]  # with friction
-    epsilon: float
-    coupled: bool  # momentum and heat
+    facts: Facts
+    finer: int = 1
+    ratio: float | None = None
 
+    @property
+    def uniform(self) -> float | None:
+        return 1.0 if self.facts.gradable else None
 
-def cells(count: int) -> dict[str, Any]:
-    return {"mesh.cells": [count, count]}
+    @property
+    def factor(self) -> int:
+        """Of the scene's cells, in the default reference: such that they can be halved twice."""
+        cells = self.facts.cells or ()
+        return 2 if self.facts.dimension == 2 and all(count % 2 == 0 for count in cells) else 4
 
+    @property
+    def second_order(self) -> str:
+        return PREFERRED if PREFERRED in self.facts.schemes else self.facts.schemes[-1]
 
-def epsilons(scene: Scene, factor: float) -> dict[str, Any]:
-    return {EPSILON.format(side=side): factor * scene.epsilon for side in scene.sides}
+    def reference(self) -> Choice:
+        """Beyond every configuration in all that errs."""
+        return Choice(
+            Solver(TIGHT, "auto"),
+            Coupling(TIGHT_COUPLING),
+            Time(self.second_order, 16 * self.finer * self.facts.steps),
+            Regularisation(0.01),
+            Quadrature(9 if self.facts.contacts else None),
+            Space(scaled(self.facts.cells, self.factor * self.finer), 2, self.ratio),
+        )
 
+    def coarser(self) -> Mapping[str, tuple[float, float, list[Choice]]]:
+        """For each source: the ratio, theory's order in the worst of the norms, the reference made coarser by the
+        ratio, once or twice. The contact rule has no order; 3 points in place of 5 count as a ratio of 5/3, of order 1.
+        """
+        best = self.reference()
+        time, rule, space = best.time, replace(best, quadrature=Quadrature(4)), best.space
+        found = {
+            "solver": (100.0, 1.0, [replace(best, solver=Solver(100 * TIGHT, "auto"))]),
+            "coupling": (10.0, 1.0, [replace(best, coupling=Coupling(10 * TIGHT_COUPLING))]),
+            "time": (2.0, 2.0, [replace(best, time=replace(time, steps=time.steps // f)) for f in (2, 4)]),
+            "regularisation": (
+                10.0,
+                1.0,
+                [replace(best, regularisation=Regularisation(f)) for f in (0.1, 1.0)],
+            ),
+            "quadrature": (5 / 3, 1.0, [rule]),
+        }
+        if self.facts.cells:
+            meshes = [replace(space, cells=scaled(space.cells, 1 / f)) for f in (2, 4)]
+            found["space"] = (2.0, 2.0, [replace(best, space=mesh) for mesh in meshes])
+        return found
 
-def base(scene: Scene) -> dict[str, Any]:
-    """Where all knobs stand that are not turned."""
-    return {**cells(32), "time.steps": 128, "time.scheme": "bdf2", "solver.strategy": "condensed"}
+    def pilots(self) -> Mapping[float, tuple[Choice, Choice]]:
+        """For each ratio of the grading two meshes in few steps: the best one moves the solution least."""
+        found = {}
+        for ratio in RATIOS if self.facts.gradable else ():
+            meshes = [Space(scaled(self.facts.cells, self.factor * self.finer / f), 2, ratio) for f in (4, 2)]
+            coarse, fine = (replace(self.base(), space=mesh) for mesh in meshes)
+            found[ratio] = (coarse, fine)
+        return found
 
+    def base(self) -> Choice:
+        """Where all knobs stand that are not turned."""
+        return Choice(
+            Solver(TIGHT, "auto"),
+            Coupling(BASE_COUPLING),
+            Time(self.second_order, 4 * self.facts.steps),
+            Regularisation(0.1),
+            Quadrature(9 if self.facts.contacts else None),
+            Space(scaled(self.facts.cells, self.factor / 4), 2, self.ratio),
+        )
 
-def reference(scene: Scene, count: int) -> dict[str, Any]:
-    """Beyond every configuration in all that errs; its own error is bounded by halves()."""
-    finest = {
-        **base(scene),
-        **cells(count),
-        "space.degree": 2,
-        "time.steps": 32 * count,
-        **epsilons(scene, 0.01),
-    }
-    return finest | ({"time.coupling": "iterated"} if scene.coupled else {})
+    def step_counts(self) -> list[int]:
+        counts, count = [], self.facts.outputs
+        while count <= 4 * self.facts.steps:
+            counts += [count] if 2 * count >= self.facts.steps else []
+            count *= 2
+        return counts
 
+    def configurations(self) -> Iterator[Configuration]:
+        yield Configuration(DEFAULT, 1.0, as_it_is(self.facts))
+        yield from self._in_time()
+        yield from self._in_space()
+        yield from self._in_contact()
+        yield from self._in_solver()
+        yield from self._paper()
+        yield from self._bargains()
 
-def halves(scene: Scene, count: int) -> dict[str, dict[str, Any]]:
-    """The reference with one source of error made larger at a time, by name."""
-    coarser = {"space": cells(count // 2), "time": {"time.steps": 16 * count}}
-    if scene.sides:
-        coarser["regularisation"] = epsilons(scene, 0.1)
-    return {name: {**reference(scene, count), **settings} for name, settings in coarser.items()}
+    def _in_time(self) -> Iterator[Configuration]:
+        base = self.base()
+        for scheme in self.facts.schemes:
+            for steps in self.step_counts():
+                choice = replace(base, time=Time(scheme, steps))
+                yield Configuration(step_knob(scheme), self.facts.end / steps, choice)
+            for tolerance in (1e-2, 1e-3, 1e-4) if scheme in (FIRST_ORDER, self.second_order) else ():
+                choice = replace(base, time=Time(scheme, self.facts.outputs, tolerance))
+                yield Configuration(tolerance_knob(scheme), tolerance, choice)
 
+    def _in_space(self) -> Iterator[Configuration]:
+        base, cells = self.base(), self.facts.cells
+        if cells is None:
+            for degree in (1, 2):
+                yield Configuration(DEGREE, 1.0 / degree, replace(base, space=Space(None, degree)))
+            return
+        sizes = [self.factor / f for f in (8, 4, 2, 1)]
+        for knob, degree, ratio, factors in (
+            (MESH_1, 1, self.uniform, sizes),
+            (MESH_2, 2, self.uniform, sizes[:3]),
+            (GRADED, 2, self.ratio, sizes[:3] if self.ratio not in (None, 1.0) else []),
+        ):
+            for factor in factors:
+                mesh = Space(scaled(cells, factor), degree, ratio)
+                yield Configuration(knob, 1 / factor, replace(base, space=mesh))
 
-ORDERS = {
-    "step": 1,
-    "step, bdf2": 2,
-    "mesh": 2,
-    "mesh, degree 2": 3,
-    "epsilon": 1,
-    "tolerance": 2 / 3,
-    "newton": 1,
-}
+    def _in_contact(self) -> Iterator[Configuration]:
+        base = self.base()
+        for factor in (10.0, 1.0, 0.1) if self.facts.regularisation else ():
+            yield Configuration(EPSILON, factor, replace(base, regularisation=Regularisation(factor)))
+        for rule in (2, 4, 6, 9) if self.facts.contacts else ():
+            yield Configuration(RULE, 1 / (rule // 2 + 1), replace(base, quadrature=Quadrature(rule)))
+        if self.facts.contacts:
+            yield Configuration(RULE, 1 / 2, replace(base, quadrature=Quadrature("vertex")))
 
+    def _in_solver(self) -> Iterator[Configuration]:
+        base = self.base()
+        for tolerance in (1e-2, 1e-3, 1e-4, 1e-6, 1e-8):
+            yield Configuration(NEWTON, tolerance, replace(base, solver=Solver(tolerance, "auto")))
+        for number, strategy in enumerate(("condensed", "newton-krylov")):
+            yield Configuration(STRATEGY, number + 1.0, replace(base, solver=Solver(TIGHT, strategy)))
+        if self.facts.coupled:
+            for tolerance in (1e-1, 1e-2, 1e-3, 1e-4):
+                yield Configuration(ITERATED, tolerance, replace(base, coupling=Coupling(tolerance)))
+            for scheme in (FIRST_ORDER, self.second_order):
+                for steps in self.step_counts():
+                    choice = replace(base, time=Time(scheme, steps), coupling=Coupling(None))
+                    yield Configuration(lagged_knob(scheme), self.facts.end / steps, choice)
 
-def plan(scene: Scene) -> Iterator[Configuration]:
-    for steps in (16, 32, 64, 128, 256, 512):
-        yield Configuration("step", 1 / steps, {"time.scheme": "backward-euler", "time.steps": steps})
-        yield Configuration("step, bdf2", 1 / steps, {"time.steps": steps})
-    for tolerance in (1e-2, 1e-3, 1e-4, 1e-5):
-        yield Configuration("tolerance", tolerance, {"time.steps": 8, "time.tolerance": tolerance})
-    for count in (8, 16, 32, 64):
-        yield Configuration("mesh", 1 / count, cells(count))
-    for count in (8, 16):
-        yield Configuration("mesh, degree 2", 1 / count, {**cells(count), "space.degree": 2})
-    for factor in (100.0, 10.0, 1.0, 0.1) if scene.sides else ():
-        yield Configuration("epsilon", factor * scene.epsilon, epsilons(scene, factor))
-    for tolerance in (1e-3, 1e-5, 1e-7, 1e-9):
-        yield Configuration("newton", tolerance, {"solver.tolerance": tolerance})
-    for coupling in ("lagged", "iterated") if scene.coupled else ():
-        yield Configuration(f"coupling {coupling}", 1.0, {"time.coupling": coupling})
-    yield Configuration("newton-krylov", 1.0, {"solver.strategy": "newton-krylov"})
-    for count in (8, 16, 32, 64):
-        paper = {**cells(count), "time.steps": count, "time.scheme": "backward-euler"}
-        yield Configuration("paper's choice", 1 / count, paper)
-    for count, tolerance in ((8, 1e-2), (8, 1e-3), (16, 1e-3), (16, 1e-4)):
-        bargain = {**cells(count), "space.degree": 2, "time.steps": 8, "time.tolerance": tolerance}
-        yield Configuration("degree 2, adaptive", tolerance, {**bargain, **epsilons(scene, 0.1)})
+    def _paper(self) -> Iterator[Configuration]:
+        """Backward Euler, lagged, uniform meshes of degree 1, the scene's epsilon; k falls as h does."""
+        outputs, steps = self.facts.outputs, self.facts.steps
+        sizes = [self.factor / f for f in (8, 4, 2, 1)] if self.facts.cells else []
+        for factor in sizes:
+            count = max(1, round(factor * steps / outputs)) * outputs
+            mesh = Space(scaled(self.facts.cells, factor), 1, self.uniform)
+            choice = replace(as_it_is(self.facts), space=mesh, time=Time(FIRST_ORDER, count))
+            yield Configuration(PAPER, 1 / factor, replace(choice, coupling=Coupling(None)))
+
+    def _bargains(self) -> Iterator[Configuration]:
+        base = self.base()
+        meshes = (
+            [scaled(self.facts.cells, self.factor / f) for f in (8, 4, 2)] if self.facts.cells else [None]
+        )
+        counts = [count * self.facts.steps for count in (1, 2, 4)]
+        for cells, steps in zip(meshes, counts):
+            mesh = Space(cells, 2, self.ratio)
+            yield Configuration(
+                BARGAIN, 1 / steps, replace(base, space=mesh, time=Time(self.second_order, steps))
+            )
+        for cells, tolerance in zip(meshes[1:], (1e-2, 1e-3)):
+            choice = replace(base, space=Space(cells, 2, self.ratio))
+            adapted = Time(self.second_order, self.facts.outputs, tolerance)
+            yield Configuration(BARGAIN, tolerance, replace(choice, time=adapted))

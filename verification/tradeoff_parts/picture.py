@@ -1,0 +1,121 @@
+"""The work-precision plot of one scene: the whole error of every configuration, and each knob's own beside it."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from plotting.style import Album, panels, styled
+from tradeoff_parts.measure import Point
+from tradeoff_parts.plan import DEFAULT, PAPER, STRATEGY
+from tradeoff_parts.prices import RESOLVED, by_knob, front, own_error
+from tradeoff_parts.tables import Study
+
+MARKS = "os^vDX>pPd<*hH8s^vDo"
+COLOURS = (
+    "#0072B2",
+    "#56B4E9",
+    "#009E73",
+    "#CC79A7",
+    "#E69F00",
+    "#8c564b",
+    "#17becf",
+    "#9e9e9e",
+    "#b5b500",
+) + ("#7b4fa3", "#3a8f3a", "#1f3b73", "#e377c2", "#000080", "#6b6b00", "#b15928", "#5e9b9b", "#444444")
+FRONT = "#D55E00"
+LEGEND = 0.2  # of the height
+LEAST_SHOWN = 1e-6  # of own errors, in the picture
+
+
+def draw(study: Study, folder: Path, small: bool) -> list[Path]:
+    album = Album(folder, small)
+    with styled():
+        figure, grid = panels(1, 2, 5.4, 5.6)
+        whole, own = grid[0]
+        looks = looks_of(study)
+        configurations(whole, study, looks)
+        front_of(whole, study.points)
+        below_reference(whole, study)
+        own_errors(own, study, looks)
+        for axes in (whole, own):
+            axes.set_xlabel("setup, factorisations and steps (s)")
+            axes.grid(True, which="major", color="#ececec", linewidth=0.6)
+            axes.set_axisbelow(True)
+        whole.set_ylabel("largest relative error")
+        whole.set_title(f"{study.facts.name}: error of each configuration")
+        own.set_title("the part of it that the knob is there for")
+        handles, labels = legend(whole, own)
+        figure.get_layout_engine().set(rect=(0, LEGEND, 1, 1 - LEGEND))
+        figure.legend(handles, labels, loc="lower center", ncols=4, fontsize=8.5)
+        album.save(figure, "tradeoff")
+    return album.written
+
+
+def looks_of(study: Study) -> dict[str, dict[str, Any]]:
+    """A mark and a colour for every knob, the same in the pictures of all scenes."""
+    names = [name for name in study.knobs if name not in (DEFAULT, PAPER)]
+    looks: dict[str, dict[str, Any]] = {
+        name: {"color": COLOURS[at % len(COLOURS)], "marker": MARKS[at % len(MARKS)], "markersize": 5.5}
+        for at, name in enumerate(names)
+    }
+    looks[PAPER] = {"color": "black", "marker": "o", "markersize": 6.5}
+    looks[DEFAULT] = {"color": "black", "marker": "*", "markersize": 16, "linestyle": ""}
+    return looks
+
+
+def legend(*panels_of: Any) -> tuple[list[Any], list[str]]:
+    found: dict[str, Any] = {}
+    for axes in panels_of:
+        handles, labels = axes.get_legend_handles_labels()
+        found |= {label: handle for handle, label in zip(handles, labels) if label not in found}
+    return list(found.values()), list(found)
+
+
+def configurations(axes: Any, study: Study, looks: dict[str, dict[str, Any]]) -> None:
+    found = by_knob(study.points)
+    for name in (name for name in study.knobs if name in found):
+        x, y = zip(*((point.seconds.total, point.error.largest) for point in found[name]))
+        wide = 2.0 if name == PAPER else 0.6
+        above = 5 if name == DEFAULT else 4 if name == PAPER else 3
+        axes.loglog(x, y, label=name, zorder=above, **{"linewidth": wide, **looks[name]})
+    if PAPER in found:
+        first = found[PAPER][0]
+        named(axes, PAPER, (first.seconds.total, first.error.largest), (0, 12))
+    for point in found.get(DEFAULT, []):
+        named(axes, DEFAULT, (point.seconds.total, point.error.largest), (12, 10))
+
+
+def named(axes: Any, text: str, at: tuple[float, float], offset: tuple[int, int]) -> None:
+    behind = {"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85}
+    how = {"fontsize": 9, "fontweight": "bold", "bbox": behind, "zorder": 6}
+    axes.annotate(text, at, xytext=offset, textcoords="offset points", **how)
+
+
+def front_of(axes: Any, points: Sequence[Point]) -> None:
+    best = front(points)
+    if best:
+        x, y = zip(*((point.seconds.total, point.error.largest) for point in best))
+        axes.step(x, y, where="post", color=FRONT, linewidth=4, alpha=0.55, label="Pareto front", zorder=2)
+
+
+def below_reference(axes: Any, study: Study) -> None:
+    low, high = axes.get_ylim()
+    low = min(low, study.bound / 1.8)
+    axes.set_ylim(low, high)
+    axes.axhspan(low, study.bound, color="#e6e6e6", zorder=0)
+    axes.axhline(study.bound, color="#6e6e6e", linestyle="--", linewidth=1.2, zorder=1)
+    words = {"fontsize": 8.5, "color": "#3d3d3d", "va": "top", "transform": axes.get_yaxis_transform()}
+    axes.text(0.01, study.bound * 0.98, f"the reference's own error is at most {study.bound:.0e}", **words)
+
+
+def own_errors(axes: Any, study: Study, looks: dict[str, dict[str, Any]]) -> None:
+    for name, points in by_knob(study.points).items():
+        knob = study.knobs[name]
+        if knob.source is None or name == STRATEGY:
+            continue
+        errors = [(point.seconds.total, own_error(point, knob).largest) for point in points]
+        shown = [(time, error) for time, error in errors if error > max(LEAST_SHOWN, RESOLVED)]
+        if shown:
+            x, y = zip(*shown)
+            axes.loglog(x, y, label=name, linewidth=1.1, **looks[name])
+    axes.set_ylabel("relative error of one source")

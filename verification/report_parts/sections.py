@@ -10,6 +10,7 @@ from report_parts import (
     known_answers,
     matrix,
     orders,
+    tradeoff,
 )
 from report_parts.section import Section
 
@@ -25,5 +26,6 @@ SECTIONS: dict[str, Section] = {
         invariance,
         extremes,
         error_curve,
+        tradeoff,
     )
 }

@@ -22,6 +22,7 @@ from report_parts import (
     known_answers,
     matrix,
     orders,
+    tradeoff,
 )
 from report_parts.html import markdown_rows, picture, table
 from report_parts.kept import Workshop, shown
@@ -29,6 +30,7 @@ from report_parts.page import Answer, page
 from report_parts.section import Command, Findings, Kept, Section
 from report_parts.self_contained import problems
 from report_parts.sections import SECTIONS
+from tradeoff_parts.choice import SOURCES
 from under_test import DRIVER
 
 PIXEL = base64.b64decode(
@@ -188,6 +190,26 @@ class VerdictTest(unittest.TestCase):
         for error, passes in ((0.2, True), (0.5, False)):
             (self.folder / "error-curve.csv").write_text(head + lines.format(error))
             self.assertEqual(error_curve.read(self.folder, []).passes, passes)
+
+    def test_tradeoff(self) -> None:
+        head = (
+            "knob,status,error,told_from_reference," + ",".join(f"own_{source}" for source in SOURCES) + "\n"
+        )
+        line = "the scene as it is,completed,0.3,{},,,{},,,0.1\nbound of the reference,{},0.01,,,,,,,\n"
+        (self.folder / "tradeoff.png").write_bytes(PIXEL)
+        price = "mesh,0.3,0.1,,0.9,1,0.8,1,,\n"
+        (self.folder / "prices.csv").write_text(
+            "knob,from_error,to_error,factor_per_digit,order_w,theory_w,order_strain,theory_strain,order_theta,"
+            "theory_theta\n" + price
+        )
+        for told, part, status, passes in (
+            ("True", 0.25, "bound", True),
+            ("False", 0.25, "bound", False),
+            ("True", 0.15, "bound", False),
+            ("True", 0.25, "estimate", False),
+        ):
+            (self.folder / "tradeoff.csv").write_text(head + line.format(told, part, status))
+            self.assertEqual(tradeoff.read(self.folder, []).passes, passes, (told, part, status))
 
 
 @unittest.skipUnless(DRIVER.with_name("manufactured").is_file(), "not built")

@@ -136,7 +136,8 @@ def hindrances(resolved: Mapping[str, Any], fractions: list[float]) -> list[str]
         for side in boundary.values()
         if "conductance" in side.get("contact", {})
     ]
-    if any(starts(load) for load in [*loads, *foundations]):
+    closed = bool(fractions) and fractions[0] > 0
+    if any(starts(load) for load in [*loads, *(foundations if closed else [])]):
         found.append("loads that are there at once at t = 0: layers in time, lower orders in k")
     held = [side for side in boundary.values() if "displacement" in side or "temperature" in side]
     if held and len(held) < (2 * len(resolved["mesh"].get("upper", [0, 0]))):

@@ -6,22 +6,23 @@ from typing import Any
 
 from plotting.style import Album, panels, styled
 from tradeoff_parts.measure import Point
-from tradeoff_parts.plan import DEFAULT, PAPER, STRATEGY
+from tradeoff_parts.plan import BARGAIN, DEFAULT, PAPER, STRATEGY
 from tradeoff_parts.prices import RESOLVED, by_knob, front, own_error
 from tradeoff_parts.tables import Study
 
-MARKS = "os^vDX>pPd<*hH8s^vDo"
-COLOURS = (
-    "#0072B2",
-    "#56B4E9",
-    "#009E73",
-    "#CC79A7",
-    "#E69F00",
-    "#8c564b",
-    "#17becf",
-    "#9e9e9e",
-    "#b5b500",
-) + ("#7b4fa3", "#3a8f3a", "#1f3b73", "#e377c2", "#000080", "#6b6b00", "#b15928", "#5e9b9b", "#444444")
+FAMILIES: tuple[tuple[str, tuple[str, ...], str], ...] = (  # of knobs: how their names begin, colours, marks
+    ("step", ("#08306b", "#2171b5", "#4fa3d9", "#8fc9ee"), "osDv"),
+    ("tolerance", ("#b36b00", "#f0a500", "#7a5200", "#ffd166"), "^>v<"),
+    ("mesh", ("#00441b", "#238b45", "#74c476"), "sDP"),
+    ("degree", ("#238b45",), "D"),
+    ("epsilon", ("#e7298a",), "X"),
+    ("contact quadrature", ("#7b4fa3",), "p"),
+    ("Newton", ("#b5b500",), "h"),
+    ("coupling", ("#8c564b",), "d"),
+    ("lagged", ("#525252", "#8a8a8a", "#b0b0b0", "#d0d0d0"), "<>^v"),
+    ("strategy", ("#17becf",), "H"),
+    ("bargains", ("#cb181d",), "P"),
+)
 FRONT = "#D55E00"
 LEGEND = 0.2  # of the height
 LEAST_SHOWN = 1e-6  # of own errors, in the picture
@@ -53,11 +54,12 @@ def draw(study: Study, folder: Path, small: bool) -> list[Path]:
 
 def looks_of(study: Study) -> dict[str, dict[str, Any]]:
     """A mark and a colour for every knob, the same in the pictures of all scenes."""
-    names = [name for name in study.knobs if name not in (DEFAULT, PAPER)]
-    looks: dict[str, dict[str, Any]] = {
-        name: {"color": COLOURS[at % len(COLOURS)], "marker": MARKS[at % len(MARKS)], "markersize": 5.5}
-        for at, name in enumerate(names)
-    }
+    looks: dict[str, dict[str, Any]] = {}
+    for begin, colours, marks in FAMILIES:
+        members = [name for name in study.knobs if name.startswith(begin)]
+        for at, name in enumerate(members):
+            colour, mark = colours[at % len(colours)], marks[at % len(marks)]
+            looks[name] = {"color": colour, "marker": mark, "markersize": 6}
     looks[PAPER] = {"color": "black", "marker": "o", "markersize": 6.5}
     looks[DEFAULT] = {"color": "black", "marker": "*", "markersize": 16, "linestyle": ""}
     return looks
@@ -75,12 +77,15 @@ def configurations(axes: Any, study: Study, looks: dict[str, dict[str, Any]]) ->
     found = by_knob(study.points)
     for name in (name for name in study.knobs if name in found):
         x, y = zip(*((point.seconds.total, point.error.largest) for point in found[name]))
-        wide = 2.0 if name == PAPER else 0.6
+        wide = 2.0 if name == PAPER else 0.0 if name == BARGAIN else 0.6
         above = 5 if name == DEFAULT else 4 if name == PAPER else 3
         axes.loglog(x, y, label=name, zorder=above, **{"linewidth": wide, **looks[name]})
+        near = [point for point in found[name] if not point.told]
+        hollow = {**looks[name], "linestyle": "", "markerfacecolor": "white", "zorder": above}
+        axes.loglog([of.seconds.total for of in near], [of.error.largest for of in near], **hollow)
     if PAPER in found:
         first = found[PAPER][0]
-        named(axes, PAPER, (first.seconds.total, first.error.largest), (0, 12))
+        named(axes, PAPER, (first.seconds.total, first.error.largest), (10, 2))
     for point in found.get(DEFAULT, []):
         named(axes, DEFAULT, (point.seconds.total, point.error.largest), (12, 10))
 
@@ -101,11 +106,16 @@ def front_of(axes: Any, points: Sequence[Point]) -> None:
 def below_reference(axes: Any, study: Study) -> None:
     low, high = axes.get_ylim()
     low = min(low, study.bound / 1.8)
-    axes.set_ylim(low, high)
+    axes.set_ylim(low, 1.5 * high)
     axes.axhspan(low, study.bound, color="#e6e6e6", zorder=0)
     axes.axhline(study.bound, color="#6e6e6e", linestyle="--", linewidth=1.2, zorder=1)
     words = {"fontsize": 8.5, "color": "#3d3d3d", "va": "top", "transform": axes.get_yaxis_transform()}
-    axes.text(0.01, study.bound * 0.98, f"the reference's own error is at most {study.bound:.0e}", **words)
+    axes.text(
+        0.01,
+        study.bound * 0.98,
+        f"the reference's own error is at most {study.bound:.0e}; hollow: less than 3 times it",
+        **words,
+    )
 
 
 def own_errors(axes: Any, study: Study, looks: dict[str, dict[str, Any]]) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tradeoff_parts.measure import Error, Point
-from tradeoff_parts.plan import Knob
+from tradeoff_parts.plan import BARGAIN, Knob
 
 NAMES = ("w", "ε(u)", "θ")
 SLACK = 0.2  # an order this much below theory's is called so
@@ -89,7 +89,7 @@ def prices(
     listed = [
         price(name, knob, found[name], own.get(knob.source, 0.0))
         for name, knob in knobs.items()
-        if name in found
+        if name in found and name != BARGAIN
     ]
     return [entry for entry in listed if entry]
 

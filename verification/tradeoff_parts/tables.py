@@ -69,7 +69,9 @@ def write_points(study: Study, path: Path) -> None:
             settings = json.dumps(of.choice.settings(study.facts))
             table.writerow({"knob": of.knob, "value": of.value, "status": lost.reason, "settings": settings})
         own = {f"own_{part.source}": part.value for part in study.bounds}
-        table.writerow({"knob": "bound of the reference", "status": "bound", "error": study.bound, **own})
+        sure = not study.unbounded and all(part.sure for part in study.bounds)
+        status = "bound" if sure else "estimate"
+        table.writerow({"knob": "bound of the reference", "status": status, "error": study.bound, **own})
 
 
 def row_of(point: Point, on_front: bool, facts: Facts) -> dict[str, object]:

@@ -161,9 +161,15 @@ SolveReport Balance::solve(std::vector<double>& rhs) {
     return report;
 }
 
+solve::NewtonResult Balance::iterate(Eigen::VectorXd& x) {
+    const solve::NewtonResult result = problem().solve(contact_, x);
+    cycles_ += result.end == solve::NewtonEnd::cycling ? 1 : 0;
+    return result;
+}
+
 SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
     const Eigen::VectorXd start = x;
-    const solve::NewtonResult direct = problem().solve(contact_, x);
+    const solve::NewtonResult direct = iterate(x);
     if (direct.end == solve::NewtonEnd::converged) {
         return report_of(direct);
     }
@@ -173,7 +179,7 @@ SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
     }
     const auto rung = [&](double floor, Eigen::VectorXd& value) {
         contact_.raise_regularisation(floor);
-        return problem().solve(contact_, value);
+        return iterate(value);
     };
     // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear; and the
     // largest difference to the foundation's temperature: conductance limited there is linear

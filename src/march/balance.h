@@ -74,6 +74,8 @@ class Balance {
     const StepSeconds& seconds() const { return seconds_; }
     double factor_seconds() const { return factor_seconds_; }
     int factorisations() const { return factorisations_; }
+    /// Newton iterations, of steps and of rungs of continuation, that ended as contact states recurred.
+    int cycles() const { return cycles_; }
     std::int64_t factor_entries() const { return problem().factor_entries(); }
     /// Unknowns that the contact term depends on; dofs of this process.
     const std::vector<std::int32_t>& contact_dofs() const { return problem().contact_dofs(); }
@@ -88,6 +90,7 @@ class Balance {
     std::unique_ptr<System> prepare(double tau);
     solve::StepProblem& problem() const { return *systems_.front()->problem; }
     SolveReport solve_contact(Eigen::VectorXd& x);
+    solve::NewtonResult iterate(Eigen::VectorXd& x);
     std::optional<std::string> what_is_free();
     void remove_prescribed(std::vector<double>& rhs);
 
@@ -104,7 +107,8 @@ class Balance {
     FreeMotionWords words_{};
     StepSeconds seconds_;
     double factor_seconds_ = 0;
-    int factorisations_ = 0;                        ///< systems prepared
+    int factorisations_ = 0;  ///< systems prepared
+    int cycles_ = 0;
     std::size_t most_systems_ = 4;                  ///< a step, its halves, and those a scheme starts with
     std::vector<std::unique_ptr<System>> systems_;  ///< the one in use first, then by their last use
 };

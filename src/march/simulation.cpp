@@ -109,6 +109,7 @@ void Simulation::advance() {
     }
     Subdivision parts(state_.halvings);
     StepCounts counts;
+    const int cycles_before = cycles();
     while (!parts.done()) {
         const StepRule rule = this->rule(parts);
         try {
@@ -130,6 +131,7 @@ void Simulation::advance() {
     ++state_.step;
     state_.halvings = control_ ? parts.halvings() : 0;
     counts.failed_attempts = parts.failures();
+    counts.cycles = cycles() - cycles_before;
     counts.smallest_step = parts.smallest() * scene_->time.end / scene_->time.steps;
     count_step(counts);
 }
@@ -308,6 +310,7 @@ void Simulation::count_step(const StepCounts& counts) {
         totals_.at_round_off += report.at_round_off;
         totals_.round_off_residual = std::max(totals_.round_off_residual, report.round_off_residual);
     }
+    totals_.cycles += counts.cycles;
     totals_.failed_attempts += counts.failed_attempts;
     count_attempts(counts);
     if (control_ ? counts.failed_attempts > 0 : counts.parts > 1) {

@@ -73,6 +73,9 @@ class Simulation {
     /// How many that were, of both balances.
     int factorisations() const;
 
+    /// Newton iterations that ended as contact states recurred, of both balances, of this simulation.
+    int cycles() const;
+
     /// Where the time of the steps went.
     StepSeconds step_seconds() const;
 
@@ -102,6 +105,7 @@ class Simulation {
     struct StepCounts {
         SolveReport momentum, heat;
         int parts = 0, failed_attempts = 0;
+        int cycles = 0;            ///< also in attempts that failed
         double smallest_step = 0;  ///< s
         std::vector<Attempt> attempts;
     };

@@ -16,6 +16,10 @@ int Simulation::factorisations() const {
            (heat_ ? heat_->balance().factorisations() : 0);
 }
 
+int Simulation::cycles() const {
+    return (momentum_ ? momentum_->balance().cycles() : 0) + (heat_ ? heat_->balance().cycles() : 0);
+}
+
 StepSeconds Simulation::step_seconds() const {
     StepSeconds seconds;
     if (momentum_) {
@@ -64,6 +68,7 @@ Record Simulation::record() {
                {"heat_iterations", last_.heat.iterations},
                {"retries", last_.momentum.retries + last_.heat.retries},
                {"solves_at_round_off", last_.momentum.at_round_off + last_.heat.at_round_off},
+               {"cycles", last_.cycles},
                {"failed_attempts", last_.failed_attempts},
                {"substeps", last_.parts}};
     if (control_) {

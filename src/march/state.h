@@ -77,6 +77,7 @@ struct Totals {
     int beyond_tolerance = 0;       ///< taken though they did: there are no shorter ones
     int at_round_off = 0;           ///< solves that ended at round-off beyond the tolerance (newton.h)
     double round_off_residual = 0;  ///< the largest residual of these, relative
+    int cycles = 0;                 ///< Newton iterations that ended as contact states recurred (cycle.h)
     double error_sum = 0;           ///< of the estimates of those taken, relative
     double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
 };
@@ -86,7 +87,7 @@ template <typename AnyTotals, typename Visit>
 requires std::same_as<std::remove_const_t<AnyTotals>, Totals>
 void visit_members(AnyTotals& totals, Visit&& visit) {
     auto& [iterations, most, retries, divided, parts, failed, smallest, accepted, rejected, beyond,
-           at_round_off, round_off_residual, error_sum, energy, heat, force] = totals;
+           at_round_off, round_off_residual, cycles, error_sum, energy, heat, force] = totals;
     visit("iterations", iterations);
     visit("max_iterations_in_a_step", most);
     visit("retries", retries);
@@ -99,6 +100,7 @@ void visit_members(AnyTotals& totals, Visit&& visit) {
     visit("beyond_tolerance", beyond);
     visit("at_round_off", at_round_off);
     visit("round_off_residual", round_off_residual);
+    visit("cycles", cycles);
     visit("error_sum", error_sum);
     visit("energy_residual", energy);
     visit("heat_residual", heat);

@@ -68,6 +68,7 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     result["recovery"] = {{"continuation_solves", totals.retries},
                           {"solves_at_round_off", totals.at_round_off},
                           {"largest_residual_of_these", totals.round_off_residual},
+                          {"cycles", totals.cycles},
                           {"failed_attempts", totals.failed_attempts},
                           {"divided_steps", totals.divided_steps},
                           {"substeps_of_these", totals.parts},

@@ -7,6 +7,7 @@
 
 #include "petsc/check.h"
 #include "petsc/events.h"
+#include "solve/cycle.h"
 #include "solve/line_search.h"
 
 namespace thermocontact::petsc {
@@ -112,7 +113,8 @@ KrylovProblem::Residual KrylovProblem::residual(solve::NonlinearTerm& F, Vec x) 
     take(x);
     tangent_.multiply_constant(local_x_, linear_);
     check(VecWAXPY(residual_, -1.0, rhs_, linear_));
-    double scale = norm(linear_) + norm(rhs_);
+    const double linear_norm = norm(linear_);
+    double nonlinear_norm = 0;
     if (has_contact_) {
         const Timed timed(Events::all().contact);
         F.evaluate(contact_x_, contact_F_);
@@ -122,10 +124,10 @@ KrylovProblem::Residual KrylovProblem::residual(solve::NonlinearTerm& F, Vec x) 
         }
         vectors_.add_up(local_, nonlinear_);
         check(VecAXPY(residual_, 1.0, nonlinear_));
-        scale += norm(nonlinear_);
+        nonlinear_norm = norm(nonlinear_);
     }
-    const double size = norm(residual_);
-    return {size, scale > 0 ? size / scale : size};
+    const double size = norm(residual_), scale = linear_norm + norm(rhs_) + nonlinear_norm;
+    return {size, scale > 0 ? size / scale : size, linear_norm, nonlinear_norm};
 }
 
 void KrylovProblem::update_tangent(solve::NonlinearTerm& F) {
@@ -239,6 +241,7 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
     } reset{x_};
     Residual current = residual(F, x_);
     double forcing = has_contact_ ? loosest : tightest;
+    solve::CycleDetector cycle;
     for (int iteration = 0;; ++iteration) {
         if (!std::isfinite(current.norm)) {
             return {NewtonEnd::not_finite, iteration, current.relative};
@@ -254,6 +257,9 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         };
         if (iteration == options_.max_iterations) {
             return stalled(NewtonEnd::too_many_iterations);
+        }
+        if (cycle.returns({current.norm, current.linear_norm, current.nonlinear_norm})) {
+            return stalled(NewtonEnd::cycling);
         }
         update_tangent(F);
         // a solve that would come near the tolerance is to be the last, and no more digits than that

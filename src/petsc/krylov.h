@@ -28,6 +28,7 @@ class KrylovProblem final : public solve::StepProblem {
   private:
     struct Residual {
         double norm, relative;
+        double linear_norm, nonlinear_norm;  ///< |A x|, |F(x)|
     };
 
     Residual residual(solve::NonlinearTerm& F, Vec x);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solve/cycle.h"
 #include "solve/line_search.h"
 
 namespace thermocontact::solve {
@@ -19,6 +20,8 @@ const char* describe(NewtonEnd end) {
             return "converged";
         case NewtonEnd::too_many_iterations:
             return "too many Newton iterations";
+        case NewtonEnd::cycling:
+            return "contact states that recur";
         case NewtonEnd::line_search_failed:
             return "the line search found no descent";
         case NewtonEnd::not_finite:
@@ -48,8 +51,9 @@ Newton::Residual Newton::residual(const Eigen::MatrixXd& S, const Eigen::VectorX
     F.evaluate(x, nonlinear_);
     Eigen::VectorXd value = linear_ + nonlinear_ - s;
     const double norm = value.norm();
-    const double scale = linear_.norm() + nonlinear_.norm() + s.norm();
-    return {std::move(value), norm, scale > 0 ? norm / scale : norm};
+    const double linear_norm = linear_.norm(), nonlinear_norm = nonlinear_.norm();
+    const double scale = linear_norm + nonlinear_norm + s.norm();
+    return {std::move(value), norm, scale > 0 ? norm / scale : norm, linear_norm, nonlinear_norm};
 }
 
 bool Newton::factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x) {
@@ -131,6 +135,7 @@ NewtonResult Newton::solve(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, N
 NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
                              Eigen::VectorXd& x) {
     Residual current = residual(S, s, F, x);
+    CycleDetector cycle;
     for (int iteration = 0;; ++iteration) {
         if (!std::isfinite(current.norm)) {
             return {NewtonEnd::not_finite, iteration, current.relative};
@@ -145,6 +150,9 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
         };
         if (iteration == options_.max_iterations) {
             return stalled(NewtonEnd::too_many_iterations);
+        }
+        if (cycle.returns({current.norm, current.linear_norm, current.nonlinear_norm})) {
+            return stalled(NewtonEnd::cycling);
         }
         if (has_factors_) {
             Eigen::VectorXd candidate = x - factors_.solve(current.value);

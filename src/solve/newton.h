@@ -44,7 +44,7 @@ struct NewtonOptions {
     int max_iterations;  ///< updates of x
 };
 
-enum class NewtonEnd { converged, too_many_iterations, line_search_failed, not_finite, singular };
+enum class NewtonEnd { converged, too_many_iterations, cycling, line_search_failed, not_finite, singular };
 
 struct NewtonResult {
     NewtonEnd end;
@@ -89,6 +89,7 @@ class Newton {
         Eigen::VectorXd value;
         double norm;
         double relative;
+        double linear_norm, nonlinear_norm;  ///< |S x|, |F(x)|
     };
 
     /// Whether the residual is what rounding x, and the displacement that the gap is computed from, perturb

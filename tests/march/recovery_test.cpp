@@ -70,6 +70,32 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Recovery,
                                          ", coupling = \"iterated\""),
                          [](const auto& info) { return "case_" + std::to_string(info.index); });
 
+/// A block thrown to the side onto a stiff foundation: the first step's contact states recur.
+constexpr const char* recurring =
+    "mesh.cells = [2, 2]\ntime = {end = 1, steps = 2}\nload.body_force = [-3, -3]\n"
+    "initial.velocity = [2, -2]\nmaterial = {density = 1, elasticity = {young = 100, poisson = 0.0}}\n"
+    "[boundary.bottom.contact]\ncompliance = {stiffness = 1e6}\n"
+    "friction = {coefficient = 0.8, regularisation = 1e-4}\n";
+
+/// The iteration that cycles ends long before the most that it may take, continuation solves the step, and
+/// history and totals say so.
+TEST(Recovery, AnswersCyclesByContinuation) {
+    const scene::Scene scene = scene::read("solver.max_iterations = 100000\n" + std::string(recurring));
+    Simulation simulation(scene);
+    double cycles = 0;
+    while (!simulation.finished()) {
+        simulation.advance();
+        const Record record = simulation.record();
+        cycles += value(record, "cycles");
+        EXPECT_EQ(value(record, "cycles") > 0, value(record, "retries") > 0);
+    }
+    EXPECT_EQ(cycles, 1);
+    EXPECT_EQ(simulation.totals().cycles, cycles);
+    EXPECT_EQ(simulation.totals().failed_attempts, 0);
+    EXPECT_LT(simulation.totals().iterations, 200);
+    expect_small_audits(simulation);
+}
+
 /// Where even the smallest step fails, the state before the whole step is back, to the last bit.
 TEST(Recovery, GivesUpAndRestores) {
     for (const char* scheme : {"backward-euler", "bdf2", "generalized-alpha"}) {

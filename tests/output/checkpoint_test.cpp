@@ -46,7 +46,8 @@ class CheckpointFile : public testing::Test {
         checkpoint.snapshot.state = {
             5,  0.625, {1, 0.1, -0.0}, {1e-300, 2, 3}, {4},  0.125, {5}, {6, 7}, {8}, 3,
             -4, 0.2,   {9, 10},        {11},           {12}, 13,    14,  15,     16};
-        checkpoint.snapshot.totals = {17, 4, 2, 5, 6, 7, 0.25, 8, 9, 10, 11, 4e-10, 0.5, 1e-14, 2e-14, 3e-14};
+        checkpoint.snapshot.totals = {17, 4,  2,     5,  6,   7,     0.25,  8,    9,
+                                      10, 11, 4e-10, 12, 0.5, 1e-14, 2e-14, 3e-14};
         checkpoint.snapshot.kept = {{"momentum", {{0.125, {2, {0, 3}, {0.1, -7}}}, {0.5, {2, {1}, {3}}}}},
                                     {"heat", {{0.125, {1, {}, {}}}}}};
         return checkpoint;
@@ -94,6 +95,7 @@ TEST_F(CheckpointFile, ThereAndBack) {
     EXPECT_EQ(totals.beyond_tolerance, 10);
     EXPECT_EQ(totals.at_round_off, 11);
     EXPECT_EQ(totals.round_off_residual, 4e-10);
+    EXPECT_EQ(totals.cycles, 12);
     EXPECT_EQ(totals.error_sum, 0.5);
     EXPECT_EQ(totals.energy_residual, 1e-14);
     EXPECT_EQ(totals.heat_residual, 2e-14);

@@ -4,6 +4,22 @@ from .mutation import Mutation
 
 MUTATIONS = (
     Mutation(
+        "cycles-uncounted",
+        "src/march/balance.cpp",
+        "cycles_ += result.end == solve::NewtonEnd::cycling ? 1 : 0;",
+        "cycles_ += result.end == solve::NewtonEnd::cycling ? 0 : 0;",
+        "missing",
+        "cycles are counted",
+    ),
+    Mutation(
+        "cycles-of-all-steps",
+        "src/march/simulation.cpp",
+        "counts.cycles = cycles() - cycles_before;",
+        "counts.cycles = cycles() - 0 * cycles_before;",
+        "state",
+        "the cycles of a step are its own",
+    ),
+    Mutation(
         "heat-step",
         "src/march/heat.cpp",
         "matrix.add(1 / tau, *capacity);",

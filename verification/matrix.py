@@ -37,13 +37,14 @@ from matrix_parts.pairs import pair_cases
 from matrix_parts.refusals import refusals
 from matrix_parts.scenes import write
 from matrix_parts.together import together_cases
+from matrix_parts.variations import ALIKE as ALIKE_IN_PLANE
 from matrix_parts.variations import VARIATIONS
 from matrix_parts.variations_in_space import ALIKE, IN_SPACE
 
 TOLERANCE = 1e-9
 MATTERS = 1e-6
 TENTH, RANKS = 10, 2
-TABLES = (coverage.Table("rectangle", VARIATIONS), coverage.Table("box", IN_SPACE, ALIKE))
+TABLES = (coverage.Table("rectangle", VARIATIONS, ALIKE_IN_PLANE), coverage.Table("box", IN_SPACE, ALIKE))
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ namespace thermocontact::mesh {
 Lattice::Lattice(const scene::MeshSpec& spec) : dimension_(spec.cells.size()) {
     for (std::size_t axis = 0; axis < dimension_; ++axis) {
         cells_[axis] = spec.cells[axis];
-        lower_[axis] = spec.lower[axis];
-        upper_[axis] = spec.upper[axis];
+        axes_.push_back({spec.lower[axis], spec.upper[axis], spec.cells[axis],
+                         spec.grading.empty() ? scene::Grading{} : spec.grading[axis]});
     }
 }
 
@@ -23,8 +23,7 @@ Point Lattice::at(double i, double j, double k) const {
     const std::array<double, 3> place{i, j, k};
     Point x{};
     for (std::size_t axis = 0; axis < dimension_; ++axis) {
-        const double h = (upper_[axis] - lower_[axis]) / cells_[axis];
-        x[axis] = place[axis] == cells_[axis] ? upper_[axis] : lower_[axis] + place[axis] * h;
+        x[axis] = coordinate(axes_[axis], place[axis]);
     }
     return x;
 }

@@ -1,4 +1,4 @@
-/// The regular grid of points that rectangles and boxes are made of.
+/// The grid of points, uniform or graded along each axis, that rectangles and boxes are made of.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/grading.h"
 #include "mesh/shapes.h"
 
 namespace thermocontact::mesh {
@@ -28,7 +29,7 @@ class Lattice {
     /// All points, in their order. Those of the far sides lie exactly where the scene has these.
     std::vector<Point> points() const;
 
-    /// The place (i, j, k) in units of cells.
+    /// The point at the place (i, j, k), in units of the uniform mesh's cells.
     Point at(double i, double j, double k = 0) const;
 
     /// The corners of cell (i, j, k) in Basix order: x changes fastest.
@@ -40,7 +41,7 @@ class Lattice {
   private:
     std::size_t dimension_;
     std::array<std::int32_t, 3> cells_{0, 0, 0};
-    Point lower_{}, upper_{};
+    std::vector<Axis> axes_;  // [dimension_]
 };
 
 /// Puts the exterior facets of all cells of a mesh on a lattice in place, sorted by boundary.

@@ -1,6 +1,7 @@
 #include "scene/reader.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -98,7 +99,8 @@ MeshSpec read_mesh(const Settings& s) {
             s.value("mesh.cells").get<std::vector<int>>(),
             s.has("mesh.diagonal") ? text(s, "mesh.diagonal") : "",
             text(s, "mesh.cell"),
-            nullptr};
+            nullptr,
+            grading_of(s)};
 }
 
 TimeSpec read_time(const Settings& s) {
@@ -207,6 +209,13 @@ Boundary read_boundary(const Settings& s, const std::string& name) {
             read_contact(s, at + ".contact")};
 }
 
+std::vector<std::string> names_in_force(const Settings& s, const std::string& prefix) {
+    std::vector<std::string> names;
+    std::ranges::copy_if(s.in_schema_order, std::back_inserter(names),
+                         [&](const std::string& name) { return name.starts_with(prefix); });
+    return names;
+}
+
 /// Takes keys out of force that mean nothing in this body.
 void drop_meaningless(Settings& s) {
     const auto drop = [&](const std::string& name) {
@@ -227,6 +236,11 @@ void drop_meaningless(Settings& s) {
     }
     if (s.has("mesh.cell") && (s.body.dimension == 3 || text(s, "mesh.cell") == "tensor")) {
         drop("mesh.diagonal");
+    }
+    for (const std::string& key : names_in_force(s, "mesh.grading.")) {
+        if (number(s, key) == 1) {  // uniform, as without it
+            drop(key);
+        }
     }
 }
 

@@ -18,12 +18,6 @@ using nlohmann::json;
 
 constexpr double most_cells = 1e8;  // keeps every count of a mesh within 32 bits
 
-[[noreturn]] void fail_at(const Settings& settings, const std::string& name, const std::string& message) {
-    const Entry* entry = settings.document->find(name);
-    fail(entry != nullptr ? entry->where : Location{.source = settings.document->file},
-         name + ": " + message);
-}
-
 /// Plane states of stress and diagonals of rectangles have no meaning in space.
 void check_plane_keys(const Settings& settings) {
     for (const auto& [name, setting] : settings.by_name) {
@@ -62,6 +56,7 @@ void check_mesh(const Settings& settings) {
         fail_at(settings, "mesh.cells",
                 "expected at most " + number_text(most_cells) + " cells, found " + number_text(cells));
     }
+    check_grading(settings);
 }
 
 /// A key that is written has to have the choice that it is about.

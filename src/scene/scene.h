@@ -20,6 +20,12 @@ struct Mesh;
 
 namespace thermocontact::scene {
 
+/// Along one axis, the largest cell's size over that of the cell at the lower and the upper side (>= 1); 1 at
+/// both: uniform. mesh/grading.h defines the points.
+struct Grading {
+    double lower = 1, upper = 1;
+};
+
 struct MeshSpec {
     std::string shape;             ///< "rectangle" | "box"; empty: `file` says
     std::vector<double> lower;     ///< [d], m
@@ -28,6 +34,7 @@ struct MeshSpec {
     std::string diagonal;          ///< "right" | "left" | "crossed", for rectangles of simplices
     std::string cell = "simplex";  ///< "simplex" | "tensor"
     std::shared_ptr<const mesh::Mesh> file = {};  ///< the mesh of a file, as read; empty: a shape
+    std::vector<Grading> grading = {};            ///< [d]; empty: uniform
 };
 
 struct TimeSpec {

@@ -18,6 +18,15 @@ Range from_to(double low, double high) {
 // One paragraph a key, not one line a field.
 // clang-format off
 
+Key graded_side(const std::string& name, int axis) {
+    const std::string sides = axis == 2 ? " of a box" : "";
+    return {.name = "mesh.grading." + name, .type = Type::number, .range = {.low = 1}, .fallback = "1.0",
+            .instead = "mesh.file", .example = "4.0",
+            .description = "Size of the largest cell along the axis over that of the cell at the side " + name +
+            sides + ", from which the sizes grow geometrically: to the opposite side, or where that is graded too, to "
+            "where both meet. It holds in the limit of many cells: twice as many cut each of them in two."};
+}
+
 std::vector<Key> general_keys() {
     return {
         {.name = "title", .type = Type::text, .fallback = R"("")", .example = R"("sliding block")",
@@ -45,6 +54,8 @@ std::vector<Key> general_keys() {
         {.name = "mesh.file", .type = Type::text, .example = R"("part.msh")",
          .description = "Gmsh file, sought from the scene's folder, in place of a shape: cells of one kind, whose "
          "physical groups name the boundaries and the regions."},
+        graded_side("left", 0), graded_side("right", 0), graded_side("bottom", 1), graded_side("top", 1),
+        graded_side("front", 2), graded_side("back", 2),
 
         {.name = "space.degree", .type = Type::integer, .range = from_to(1, 2), .fallback = "1",
          .example = "2", .description = "Polynomial degree of displacement and temperature."},

@@ -147,6 +147,12 @@ nlohmann::ordered_json Settings::resolved() const {
     return tables;
 }
 
+void fail_at(const Settings& settings, const std::string& name, const std::string& message) {
+    const Entry* entry = settings.document->find(name);
+    fail(entry != nullptr ? entry->where : Location{.source = settings.document->file},
+         name + ": " + message);
+}
+
 Settings check_document(const Document& document) {
     Settings settings;
     settings.document = &document;

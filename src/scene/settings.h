@@ -8,11 +8,8 @@
 #include <vector>
 
 #include "scene/document.h"
+#include "scene/scene.h"
 #include "scene/schema.h"
-
-namespace thermocontact::mesh {
-struct Mesh;
-}
 
 namespace thermocontact::scene {
 
@@ -64,6 +61,12 @@ Settings check_document(const Document& document);
 /// Checks that involve several keys beyond what the schema can declare.
 void check_rules(const Settings& settings);
 
+/// Checks the keys of [mesh.grading], once those of the shape are known to be right.
+void check_grading(const Settings& settings);
+
+/// [d]: the ratios of a shape, 1 where the scene gives none.
+std::vector<Grading> grading_of(const Settings& settings);
+
 /// Names of the fields that the scene has, in the schema's order.
 std::vector<std::string> existing_fields(const Settings& settings);
 
@@ -73,6 +76,9 @@ void check_known(const Entry& entry, const Body& body);
 
 /// The normalised value of a leaf; throws SceneError saying what was expected.
 nlohmann::json check_value(const Key& key, const Entry& entry, int dimension);
+
+/// "WHERE: NAME: MESSAGE", where being that of the key or table if it is written.
+[[noreturn]] void fail_at(const Settings& settings, const std::string& name, const std::string& message);
 
 /// "WHERE: KEY: expected EXPECTATION, found VALUE", `remark` appended.
 [[noreturn]] void fail_value(const Key& key, const Entry& entry, int dimension,

@@ -44,6 +44,10 @@ const Mistake unknown_keys[] = {
     {"BoundaryOfAFile", 2, "file = \"part.msh\"\n[boundary.botom]\ntemperature = 0",
      R"(scene.toml:3: boundary.botom: unknown boundary of the mesh part.msh; expected "bottom", "left", "right" or )"
      R"("top"; did you mean "bottom"?)"},
+    {"GradedSide", 3, "grading.lfet = 2\n[time]",
+     R"(scene.toml:3: mesh.grading.lfet: unknown key; did you mean "left"?)"},
+    {"GradedBesideAFile", 2, "file = \"part.msh\"\ngrading.left = 2",
+     "scene.toml:3: mesh.grading.left: cannot stand beside mesh.file (line 2); give one of the two"},
     {"NoSuchFile", 2, "file = \"prat.msh\"", "scene.toml:2: mesh.file: prat.msh: no such file"},
     {"FileBesideCells", 2, "cells = [4, 4]\nfile = \"part.msh\"",
      "scene.toml:3: mesh.file: cannot stand beside mesh.cells (line 2); give one of the two"},
@@ -106,6 +110,15 @@ const Mistake wrong_values[] = {
     {"UpperCorner", 2, "cells = [4, 4]\nupper = [0, 2]",
      "scene.toml:3: mesh.upper: expected to exceed mesh.lower = [0.0, 0.0] in every component, found [0.0, "
      "2.0]"},
+    {"GradedBelowOne", 2, "cells = [4, 4]\ngrading.left = 0.5",
+     "scene.toml:3: mesh.grading.left: expected a number >= 1, found 0.5"},
+    {"GradedWithoutEnd", 2, "cells = [4, 4]\ngrading.left = inf",
+     "scene.toml:3: mesh.grading.left: expected a number >= 1, found inf"},
+    {"GradedTooThin", 2, "cells = [4, 4]\ngrading.top = 1e14",
+     "scene.toml:3: mesh.grading.top: expected cells of at least 2.82843e-10 (m), the smallest has "
+     "3.16128e-11 where the ratio is 1e+14"},
+    {"GradedOfABox", 2, "cells = [4, 4]\ngrading.front = 2",
+     R"(scene.toml:3: mesh.grading.front: the rectangle has no such side; expected "left", "right", "bottom" or "top")"},
     {"StepDoesNotDivide", 5, "step = 0.3",
      "scene.toml:5: time.step: expected a step that divides time.end = 1 into at most 1000000000 equal "
      "steps, "

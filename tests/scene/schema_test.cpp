@@ -68,6 +68,10 @@ Values scene_with(const Key& key) {
         take_out(values, "mesh.cells");
         values["mesh.file"] = "\"part.msh\"";
     }
+    if (name == "mesh.grading.front" || name == "mesh.grading.back") {
+        values["mesh.shape"] = "\"box\"";
+        values["mesh.cells"] = "[2, 2, 2]";
+    }
     values[name] = key.example;
     put_in(values, key.name);
     const bool of_contact = name.find(".contact.") != std::string::npos;

@@ -23,7 +23,14 @@ def refusals(schema: Sequence[Entry]) -> list[Refusal]:
     here = [entry for entry in schema if not str(entry["key"]).startswith("region.")]
     found = [refusal for entry in here for refusal in _of(entry, schema)]
     unknown = Refusal("mesh.no_such_key", "an unknown key", BASES[BASE] | {"mesh.no_such_key": 1})
-    return [*found, unknown, *_in_space(schema)]
+    return [*found, unknown, *_graded(), *_in_space(schema)]
+
+
+def _graded() -> Iterator[Refusal]:
+    base, front, left = BASES[BASE], "mesh.grading.front", "mesh.grading.left"
+    yield Refusal(front, "a rectangle has no such side", base | {front: 2.0})
+    yield Refusal("mesh.grading.lfet", "an unknown side", base | {"mesh.grading.lfet": 2.0})
+    yield Refusal(left, "cells too thin to tell from round-off", base | {left: 1e14})
 
 
 def _in_space(schema: Sequence[Entry]) -> Iterator[Refusal]:

@@ -6,6 +6,7 @@ from matrix_parts.scenes import ABSENT, BESIDE, OPPOSITE, SIDES, base_name
 
 DEFAULT = "the default, written out"
 NAME_ONLY = "a name"
+ALIKE = dict.fromkeys(("mesh.grading.front", "mesh.grading.back"), "boxes only")
 FILES_ONLY = "says what is written, not what is computed"
 SOLVER_ONLY = "says how the equations are solved, not which"
 
@@ -33,12 +34,34 @@ def _mesh_and_time() -> dict[str, list[Variation]]:
         "mesh.cell": vary(CONTACT, "mesh.cell", "simplex", same=DEFAULT)
         + vary(CONTACT, "mesh.cell", "tensor")
         + vary("contact left", "mesh.cell", "tensor", beside={"space.degree": 2}),
+        **_grading(),
         "space.degree": vary(CONTACT, "space.degree", 1, same=DEFAULT)
         + [Variation(base, {"space.degree": 2}) for base in (CONTACT, "contact left", "coupled", "heat")],
         "time.end": vary(CONTACT, "time.end", 0.45),
         "time.steps": vary(CONTACT, "time.steps", 1, 5),
         "time.step": vary(CONTACT, "time.step", 0.06, beside={"time.steps": ABSENT}),
         **_schemes(),
+    }
+
+
+def _grading() -> dict[str, list[Variation]]:
+    """Each side alone; both of an axis alike and not, and so near 1 that formulas divide 0 by 0; every cell and node."""
+    left, right, bottom, top = (f"mesh.grading.{side}" for side in SIDES["rectangle"])
+    crossed = {"mesh.diagonal": "crossed"}
+    second = {"space.degree": 2}
+    return {
+        left: vary(CONTACT, left, 1.0, same=DEFAULT)
+        + vary(CONTACT, left, 3.0)
+        + vary("contact left", left, 5, beside={**crossed, **second, bottom: 2.0}),
+        right: vary(CONTACT, right, 1, same=DEFAULT)
+        + vary(CONTACT, right, 1 + 1e-14, same="uniform to round-off")
+        + vary("contact right", right, 4.0, beside={left: 2.0, "mesh.diagonal": "left"}),
+        bottom: vary(CONTACT, bottom, 1.0, same=DEFAULT)
+        + vary(CONTACT, bottom, 40.0)
+        + vary("contact without heat", bottom, 3.0, beside={**crossed, top: 3.0}),
+        top: vary(CONTACT, top, 1.0, same=DEFAULT)
+        + vary("contact top", top, 3.0, beside={"mesh.cell": "tensor", **second})
+        + vary("heat", top, 6.0, beside={left: 3.0, right: 3.0, **second}),
     }
 
 

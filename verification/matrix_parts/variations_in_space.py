@@ -58,9 +58,22 @@ def _mesh() -> dict[str, list[Variation]]:
             Variation(base, {**HEXAHEDRA, **SECOND_DEGREE})
             for base in (CONTACT, left, "box coupled", "box heat")
         ],
+        **_grading(),
         "space.degree": vary(CONTACT, "space.degree", 1, same=DEFAULT)
         + [Variation(base, SECOND_DEGREE) for base in (CONTACT, front, "box coupled", "box heat")],
     }
+
+
+def _grading() -> dict[str, list[Variation]]:
+    found = {}
+    for side in SIDES[SHAPE]:
+        key, opposite = f"mesh.grading.{side}", f"mesh.grading.{OPPOSITE[side]}"
+        found[key] = [
+            *vary(CONTACT, key, 1.0, same=DEFAULT),
+            *vary(base_name(SHAPE, f"contact {side}"), key, 3.0),
+            *vary(base_name(SHAPE, "heat"), key, 5.0, beside={opposite: 2.0, **HEXAHEDRA, **SECOND_DEGREE}),
+        ]
+    return found
 
 
 def _schemes() -> dict[str, list[Variation]]:

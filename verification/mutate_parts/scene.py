@@ -195,4 +195,28 @@ MUTATIONS = (
         "missing",
         "--set takes the place of a whole table",
     ),
+    Mutation(
+        "grading-sides",
+        "src/scene/grading.cpp",
+        "ratio(settings, sides[2 * axis]), ratio(settings, sides[2 * axis + 1])",
+        "ratio(settings, sides[2 * axis + 1]), ratio(settings, sides[2 * axis])",
+        "index",
+        "each side has the ratio of its name",
+    ),
+    Mutation(
+        "grading-thin",
+        "src/scene/grading.cpp",
+        "if (size < least) {",
+        "if (size < 0) {",
+        "range",
+        "cells too thin to tell from round-off are refused",
+    ),
+    Mutation(
+        "grading-one",
+        "src/scene/reader.cpp",
+        "if (number(s, key) == 1) {",
+        "if (number(s, key) == 0) {",
+        "range",
+        "a ratio of 1 is the uniform mesh, with which a checkpoint may be shared",
+    ),
 )

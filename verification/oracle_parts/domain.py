@@ -16,8 +16,9 @@ from petsc4py import PETSc
 from oracle_parts.errors import SceneError
 from oracle_parts.expressions import Expression
 from oracle_parts.portability import mesh_of_gmsh, settle_geometry
-from oracle_parts.scene import Scene, Shape, group_names
+from oracle_parts.scene import SIDES, Scene, Shape, group_names
 
+Array = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int32]
 
 
@@ -53,6 +54,7 @@ def create_body(comm: Any, scene: Scene) -> Body:
     else:
         mesh, regions = _create_shape(comm, scene.shape), {}
         boundaries = _sides(mesh, scene.shape)
+        _grade(mesh, scene.shape)
     settle_geometry(mesh)
     missing = [name for name in scene.boundaries if name not in boundaries]
     missing += [name for name in scene.regions if name not in regions]
@@ -89,11 +91,48 @@ def _sides(mesh: Any, shape: Shape | None) -> dict[str, Ints]:
     exterior = dmesh.exterior_facet_indices(mesh.topology)
     midpoints = dmesh.compute_midpoints(mesh, tdim - 1, exterior)
     sides = {}
-    for axis, names in enumerate((("left", "right"), ("bottom", "top"), ("front", "back"))[:tdim]):
+    for axis, names in enumerate(SIDES[:tdim]):
         for name, place in zip(names, (shape.lower[axis], shape.upper[axis])):
             near = np.abs(midpoints[:, axis] - place) < 1e-9 * (shape.upper[axis] - shape.lower[axis])
             sides[name] = np.sort(exterior[near]).astype(np.int32)
     return sides
+
+
+def _grade(mesh: Any, shape: Shape | None) -> None:
+    """Moves the points of the uniform mesh to where its grading has them."""
+    assert shape is not None
+    points = mesh.geometry.x
+    for axis, ratios in enumerate(shape.grading):
+        if ratios != (1.0, 1.0):
+            lower, upper, halves = shape.lower[axis], shape.upper[axis], 2 * shape.cells[axis]
+            number = np.rint((points[:, axis] - lower) / (upper - lower) * halves)
+            points[:, axis] = _graded(number / halves, lower, upper, ratios)
+
+
+def _graded(s: Array, lower: float, upper: float, ratios: tuple[float, float]) -> Array:
+    """The integral of exp(-g |s - m|), which sizes of cells are in proportion to, scaled to run from lower to upper.
+
+    Sizes are 1 at m, and exp(-g m) = 1/a and exp(-g (1 - m)) = 1/b at the sides.
+    """
+    a, b = ratios
+    g = np.log(a) + np.log(b)
+    m = np.log(a) / g
+    from_m = np.sign(s - m) * -np.expm1(-g * np.abs(s - m))
+    first, last = np.expm1(-g * m), -np.expm1(-g * (1 - m))
+    x = lower + (from_m - first) / (last - first) * (upper - lower)
+    return np.where(s == 0, lower, np.where(s == 1, upper, x))
+
+
+def _nodes_along(shape: Shape, axis: int) -> Array:
+    """Where nodes of degree 1 or 2 can be on a graded axis: points of cells and centres, and halfway between them."""
+    halves = 2 * shape.cells[axis]
+    points = _graded(
+        np.arange(halves + 1) / halves, shape.lower[axis], shape.upper[axis], shape.grading[axis]
+    )
+    corners, centres = points[::2], points[1::2]
+    edges = (corners[1:] + corners[:-1]) / 2
+    spokes = [(corners[:-1] + centres) / 2, (corners[1:] + centres) / 2]
+    return np.unique(np.concatenate([points, edges, *spokes]))
 
 
 def _read_file(comm: Any, file: Path, dimension: int) -> tuple[Any, dict[str, Ints], dict[str, Ints]]:
@@ -125,7 +164,7 @@ def _connect(mesh: Any) -> int:
 
 
 def node_points(space: Any, scene: Scene) -> npt.NDArray[np.float64]:
-    """Coordinates of the local nodes; those of a shape put exactly on the grid of the mesh's nodes.
+    """Coordinates of the local nodes; those of a shape put exactly where the mesh's nodes can be.
 
     Where dolfinx computes a node's place, 0 may come out as 1e-19, and an expression with a jump at 0 goes astray.
     """
@@ -134,6 +173,11 @@ def node_points(space: Any, scene: Scene) -> npt.NDArray[np.float64]:
         return points
     per_square = 4  # a crossed mesh of degree 2 has nodes at quarters
     for axis, cells in enumerate(scene.shape.cells):
+        if scene.shape.grading[axis] != (1.0, 1.0):
+            places = _nodes_along(scene.shape, axis)
+            between = (places[1:] + places[:-1]) / 2
+            points[:, axis] = places[np.searchsorted(between, points[:, axis])]
+            continue
         lower, upper = scene.shape.lower[axis], scene.shape.upper[axis]
         intervals = per_square * cells
         number = np.rint((points[:, axis] - lower) / (upper - lower) * intervals)

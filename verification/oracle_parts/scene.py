@@ -10,11 +10,12 @@ import numpy.typing as npt
 
 from oracle_parts.errors import SceneError
 from oracle_parts.expressions import Expression
-from oracle_parts.tables import Table, count, expression, list_of, load_toml, number, one_of, positive
+from oracle_parts.tables import Table, count, expression, list_of, load_toml, number, one_of, positive, ratio
 from oracle_parts.time_steps import RADII
 
 Matrix = npt.NDArray[np.float64]
 SHAPES = {"rectangle": 2, "box": 3}
+SIDES = (("left", "right"), ("bottom", "top"), ("front", "back"))  # of each axis
 FIELDS = ("displacement", "velocity", "temperature", "stress", "von_mises", "contact")
 
 
@@ -89,13 +90,14 @@ class Boundary:
 
 @dataclass(frozen=True)
 class Shape:
-    """A rectangle or box of simplices or tensor cells."""
+    """A rectangle or box of simplices or tensor cells; `grading` has the ratios at the two sides of each axis."""
 
     lower: list[float]
     upper: list[float]
     cells: list[int]
     cell: str
     diagonal: str
+    grading: list[tuple[float, float]]
 
 
 @dataclass(frozen=True)
@@ -194,7 +196,18 @@ def _mesh(mesh: Table, path: Path) -> tuple[int, Shape | None, Path | None]:
     cells = mesh.take("cells", list_of(count, dimension))
     cell = mesh.take("cell", one_of("simplex", "tensor"), "simplex")
     diagonal = mesh.take("diagonal", one_of("right", "left", "crossed"), "right")
-    return dimension, Shape(lower, upper, cells, cell, diagonal), None
+    return dimension, Shape(lower, upper, cells, cell, diagonal, _grading(mesh, dimension)), None
+
+
+def _grading(mesh: Table, dimension: int) -> list[tuple[float, float]]:
+    ratios = [(1.0, 1.0)] * dimension
+    table = mesh.table("grading")
+    if table is not None:
+        ratios = [
+            (table.take(one, ratio, 1.0), table.take(two, ratio, 1.0)) for one, two in SIDES[:dimension]
+        ]
+        table.close()
+    return ratios
 
 
 def group_names(file: Path) -> list[tuple[int, int, str]]:

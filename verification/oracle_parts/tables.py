@@ -97,6 +97,12 @@ def positive(raw: Any) -> float:
     return float(raw)
 
 
+def ratio(raw: Any) -> float:
+    if not 1.0 <= number(raw) < float("inf"):
+        raise ValueError("expected a number, at least 1")
+    return float(raw)
+
+
 def count(raw: Any) -> int:
     if isinstance(raw, bool) or not isinstance(raw, int) or raw < 1:
         raise ValueError("expected a whole number, at least 1")

@@ -1,5 +1,7 @@
 #include "solve/cholmod.h"
 
+#include <new>
+
 #include "solve/huge_pages.h"
 
 /// OpenMP's parallel regions, run by the thread that meets them; this definition comes before libgomp's.
@@ -24,6 +26,12 @@ CholmodCommon::CholmodCommon() {
 
 CholmodCommon::~CholmodCommon() {
     cholmod_finish(&common_);
+}
+
+void throw_if_failed(CholmodCommon& common) {
+    if (common->status == CHOLMOD_OUT_OF_MEMORY || common->status == CHOLMOD_TOO_LARGE) {
+        throw std::bad_alloc();
+    }
 }
 
 }  // namespace thermocontact::solve

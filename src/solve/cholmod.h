@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "solve/panel_factor.h"
+#include "solve/symmetric_matrix.h"
 
 namespace thermocontact::solve {
 
@@ -24,6 +24,9 @@ class CholmodCommon {
   private:
     cholmod_common common_{};
 };
+
+/// Throws std::bad_alloc where CHOLMOD found no memory.
+void throw_if_failed(CholmodCommon& common);
 
 struct FactorDeleter {
     CholmodCommon* common;

@@ -36,7 +36,7 @@ bool CondensedProblem::finish(const Eigen::VectorXd& x, std::vector<double>& sol
 }
 
 std::unique_ptr<StepProblem> Condensed::prepare(const StepProblemInput& input) {
-    return std::make_unique<CondensedProblem>(input, orders_.without(input.contact_nodes));
+    return std::make_unique<CondensedProblem>(input, orders_.without(input.contact_nodes), workers_);
 }
 
 }  // namespace thermocontact::solve

@@ -9,8 +9,10 @@ namespace thermocontact::solve {
 
 class CondensedProblem : public StepProblem {
   public:
-    CondensedProblem(const StepProblemInput& input, std::span<const std::int32_t> interior)
-        : system_(input.matrix, input.fixed, input.contact_nodes, interior), newton_(input.newton) {}
+    CondensedProblem(const StepProblemInput& input, std::span<const std::int32_t> interior,
+                     std::shared_ptr<Workers> workers)
+        : system_(input.matrix, input.fixed, input.contact_nodes, interior, std::move(workers)),
+          newton_(input.newton) {}
 
     const std::vector<std::int32_t>& contact_dofs() const override { return system_.contact_dofs(); }
     Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) override;
@@ -42,6 +44,7 @@ class Condensed : public Strategy {
   private:
     parallel::Alone alone_;
     InteriorOrders orders_;
+    std::shared_ptr<Workers> workers_ = std::make_shared<Workers>(Workers::available());
 };
 
 }  // namespace thermocontact::solve

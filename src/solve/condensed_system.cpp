@@ -122,7 +122,8 @@ const std::vector<std::int32_t>& InteriorOrders::without(const std::vector<char>
 }
 
 CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
-                                 const std::vector<char>& contact, std::span<const std::int32_t> interior) {
+                                 const std::vector<char>& contact, std::span<const std::int32_t> interior,
+                                 std::shared_ptr<Workers> workers) {
     const FreeDofs free = number_free(fixed);
     if (free.dofs.empty()) {
         schur_.resize(0, 0);
@@ -152,7 +153,7 @@ CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vect
         reduced.values[static_cast<std::size_t>(reduced.offsets[static_cast<std::size_t>(row)])] += shift;
     }
     try {
-        factor_.emplace(reduced, order, static_cast<std::int32_t>(tail.size()));
+        factor_.emplace(reduced, order, static_cast<std::int32_t>(tail.size()), std::move(workers));
     } catch (const NotPositiveDefinite& failure) {
         throw NotPositiveDefinite{free.dofs[static_cast<std::size_t>(failure.row)]};
     }

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -36,7 +37,8 @@ class CondensedSystem {
     /// other unknowns are kept, `interior` orders the nodes outside contact. Throws NotPositiveDefinite with
     /// the dof at fault.
     CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
-                    const std::vector<char>& contact, std::span<const std::int32_t> interior);
+                    const std::vector<char>& contact, std::span<const std::int32_t> interior,
+                    std::shared_ptr<Workers> workers);
 
     /// Dofs of the contact unknowns, in the order of S.
     const std::vector<std::int32_t>& contact_dofs() const { return contact_dofs_; }

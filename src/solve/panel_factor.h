@@ -3,35 +3,35 @@
 /// CHOLMOD computes L; its own solves call BLAS on many small panels and reach a third of the memory
 /// bandwidth. Here the columns of each supernode lie in groups of four without the rows above the diagonal,
 /// one after another.
+///
+/// Supernodes of a large factor are sorted into branches of the elimination tree, which threads go through
+/// at the same time, and the trunk, which couples these. The order of all sums is that of the branches, so
+/// that the last bit does not depend on how many threads there are.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "solve/huge_pages.h"
+#include "solve/supernodes.h"
+#include "solve/symmetric_matrix.h"
+#include "solve/workers.h"
 
 namespace thermocontact::solve {
 
-/// A symmetric matrix, lower triangle by compressed columns with sorted rows.
-struct SymmetricMatrix {
-    std::int32_t size;
-    std::vector<std::int32_t> offsets;
-    std::vector<std::int32_t> rows;
-    std::vector<double> values;
-};
-
-/// Thrown where no Cholesky factor exists; `row` is a row of the matrix in which that shows.
-struct NotPositiveDefinite {
-    std::int32_t row;
-};
+/// Numbers in a factor that is worth threads: a pass through less takes about as long as waking them.
+constexpr std::int64_t worth_threads = 500'000;
 
 class PanelFactor {
   public:
     /// Factors A with the fill-reducing `order` (order[i] = row of A that comes i-th); the last `tail` rows
-    /// of the order stay last as a set, and couple densely. Throws NotPositiveDefinite, or std::bad_alloc.
-    PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order, std::int32_t tail);
+    /// of the order stay last as a set, and couple densely. With less than `smallest_cut` numbers there is
+    /// one branch only. Throws NotPositiveDefinite, or std::bad_alloc.
+    PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order, std::int32_t tail,
+                std::shared_ptr<Workers> workers, std::int64_t smallest_cut = worth_threads);
 
     /// order()[i]: row of A that is i-th in the factor (`order` refined).
     const std::vector<std::int32_t>& order() const { return order_; }
@@ -54,18 +54,31 @@ class PanelFactor {
         std::int32_t first_column, columns, rows;
         std::int64_t values;  ///< start in values_
         std::int64_t below;   ///< start in rows_ of the rows below the diagonal block
+        std::int32_t within;  ///< how many of those, the first, are of the panel's branch
+    };
+    struct Branch {
+        std::size_t begin, end;       ///< of panels_
+        std::vector<double> buffer;   ///< one panel's rows of the vector
+        std::vector<double> outside;  ///< what its panels add to the rows beyond all branches
     };
 
-    void store(const double* supernode, std::int32_t leading, std::int32_t first, std::int32_t columns,
-               std::span<const std::int32_t> rows);
+    Branch store(const Supernodes& supernodes, std::span<const std::int32_t> chosen,
+                 std::span<const std::int32_t> in_head, std::span<const std::int32_t> place,
+                 std::int32_t end);
+    void store_tail(const Supernodes& supernodes);
+    void forward(const Panel& panel, Branch& branch, std::vector<double>& x) const;
+    void backward(const Panel& panel, Branch& branch, std::vector<double>& x) const;
 
     std::int32_t size_, head_;
+    std::shared_ptr<Workers> workers_;
     std::vector<std::int32_t> order_;
-    std::vector<Panel> panels_;  ///< of the head
+    std::vector<Panel> panels_;  ///< of the head: by branch, then the trunk
     HugeVector<double> values_;
     std::vector<std::int32_t> rows_;
-    Eigen::MatrixXd tail_;        ///< L_tt
-    std::vector<double> buffer_;  ///< one panel's rows of the vector
+    std::vector<Branch> branches_;
+    Branch trunk_{};
+    std::int32_t first_outside_ = 0;  ///< row beyond all branches
+    Eigen::MatrixXd tail_;            ///< L_tt
 };
 
 /// Orders the nodes of an undirected graph (lower triangle by compressed columns) by nested dissection

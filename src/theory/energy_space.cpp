@@ -10,8 +10,9 @@ std::optional<solve::CondensedSystem> factor(const fem::BlockMatrix& gram, const
     const std::vector<char> no_contact(fixed.size() / static_cast<std::size_t>(gram.rows), 0);
     solve::InteriorOrders orders(*gram.graph);
     try {
-        return std::optional<solve::CondensedSystem>(std::in_place, gram, fixed, no_contact,
-                                                     orders.without(no_contact));
+        return std::optional<solve::CondensedSystem>(
+            std::in_place, gram, fixed, no_contact, orders.without(no_contact),
+            std::make_shared<solve::Workers>(solve::Workers::available()));
     } catch (const solve::NotPositiveDefinite&) {
         return std::nullopt;
     }

@@ -17,7 +17,8 @@ using support::dense;
 
 CondensedSystem condensed(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
                           const std::vector<char>& contact) {
-    return {matrix, fixed, contact, InteriorOrders(*matrix.graph).without(contact)};
+    return {matrix, fixed, contact, InteriorOrders(*matrix.graph).without(contact),
+            std::make_shared<Workers>(1)};
 }
 
 /// A square of elastic material, of degree `degree`, mass included where `density` > 0.

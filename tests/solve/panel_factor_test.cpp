@@ -66,6 +66,7 @@ struct Case {
     std::string name;
     Eigen::MatrixXd matrix;
     int tail;
+    std::int64_t smallest_cut;  ///< of the factor into branches
 };
 
 std::vector<Case> cases() {
@@ -74,7 +75,8 @@ std::vector<Case> cases() {
         const int n = static_cast<int>(A.rows());
         for (const int tail : {0, 1, 2, 3, 4, 5, 7, n / 2, n - 1, n}) {
             if (tail <= n && (result.empty() || result.back().name != name || result.back().tail < tail)) {
-                result.push_back({name, A, tail});
+                result.push_back({name, A, tail, worth_threads});
+                result.push_back({name, A, tail, 0});
             }
         }
     };
@@ -101,7 +103,8 @@ class Factor : public testing::TestWithParam<Case> {
         return result;
     }();
     const std::span<const std::int32_t> tail = std::span(order).last(static_cast<std::size_t>(t));
-    PanelFactor factor{lower_triangle(A, tail), order, static_cast<std::int32_t>(t)};
+    PanelFactor factor{lower_triangle(A, tail), order, static_cast<std::int32_t>(t),
+                       std::make_shared<Workers>(3), GetParam().smallest_cut};
 
     /// A with its rows and columns in the factor's order.
     Eigen::MatrixXd permuted() const {
@@ -195,8 +198,13 @@ TEST_P(Factor, StoresNoMoreThanTheTriangle) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Matrices, Factor, testing::ValuesIn(cases()), [](const auto& info) {
-    return info.param.name + "_tail_" + std::to_string(info.param.tail);
+    return info.param.name + "_tail_" + std::to_string(info.param.tail) +
+           (info.param.smallest_cut == 0 ? "_in_branches" : "");
 });
+
+std::shared_ptr<Workers> alone() {
+    return std::make_shared<Workers>(1);
+}
 
 struct BadCase {
     std::string name;
@@ -227,7 +235,7 @@ TEST_P(Singular, IsNotFactored) {
     std::vector<std::int32_t> order(static_cast<std::size_t>(A.rows()));
     std::iota(order.begin(), order.end(), 0);
     try {
-        PanelFactor factor(lower_triangle(A, {}), order, 0);
+        PanelFactor factor(lower_triangle(A, {}), order, 0, alone());
         FAIL() << "no exception";
     } catch (const NotPositiveDefinite& failure) {
         // the factor may refine the order; where a row alone is to blame, it is that row
@@ -253,10 +261,8 @@ TEST(NestedDissection, IsAPermutation) {
     }
 }
 
-/// On a grid of n x n nodes, L has some 31/4 n^2 log2 n entries in nested dissection against n^3 in the order
-/// of the rows.
-TEST(NestedDissection, SavesFill) {
-    const int n = 48;
+/// Of n x n nodes, shifted to be regular.
+SymmetricMatrix laplacian(int n) {
     SymmetricMatrix grid{n * n, {0}, {}, {}};
     for (std::int32_t i = 0; i < n * n; ++i) {
         grid.rows.push_back(i);
@@ -269,10 +275,37 @@ TEST(NestedDissection, SavesFill) {
         }
         grid.offsets.push_back(static_cast<std::int32_t>(grid.rows.size()));
     }
+    return grid;
+}
+
+/// On a grid of n x n nodes, L has some 31/4 n^2 log2 n entries in nested dissection against n^3 in the order
+/// of the rows.
+TEST(NestedDissection, SavesFill) {
+    const int n = 48;
+    const SymmetricMatrix grid = laplacian(n);
     std::vector<std::int32_t> natural(static_cast<std::size_t>(n * n));
     std::iota(natural.begin(), natural.end(), 0);
-    EXPECT_LT(2 * PanelFactor(grid, nested_dissection(grid), 0).entries(),
-              PanelFactor(grid, natural, 0).entries());
+    EXPECT_LT(2 * PanelFactor(grid, nested_dissection(grid), 0, alone()).entries(),
+              PanelFactor(grid, natural, 0, alone()).entries());
+}
+
+/// The last bit is the same however many threads share the branches, and every branch has its part.
+TEST(Branches, TheNumberOfThreadsChangesNothing) {
+    const SymmetricMatrix grid = laplacian(64);
+    const std::vector<std::int32_t> order = nested_dissection(grid);
+    const auto solved = [&](int threads) {
+        PanelFactor factor(grid, order, 20, std::make_shared<Workers>(threads), 0);
+        std::vector<double> x = support::random_numbers(static_cast<std::size_t>(grid.size), 3);
+        for (int again = 0; again < 20; ++again) {  // threads meet in another order each time
+            factor.forward(x);
+            factor.backward(x);
+        }
+        return x;
+    };
+    const std::vector<double> one = solved(1);
+    EXPECT_EQ(one, solved(2));
+    EXPECT_EQ(one, solved(4));
+    EXPECT_EQ(one, solved(9));
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+/// Threads that share the tasks of a loop.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace thermocontact::solve {
+
+class Workers {
+  public:
+    /// At most `threads` at work at a time, the calling one among them; started when first needed.
+    explicit Workers(int threads) : threads_(threads) {}
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    /// As many as OMP_NUM_THREADS says, or else as this process has cores.
+    static int available();
+
+    /// Calls task(0) to task(count - 1), each once, in whatever order and on whichever thread; returns when
+    /// all are done. Tasks must not throw.
+    void run(int count, const std::function<void(int)>& task);
+
+  private:
+    void start(int others);
+    void wait_for_rounds();
+    void take_tasks();
+
+    int threads_;
+    std::vector<std::thread> others_;
+    std::mutex mutex_;
+    std::condition_variable begins_, ends_;
+    int round_ = 0;    ///< calls of run() so far
+    int at_work_ = 0;  ///< of the other threads
+    bool over_ = false;
+    const std::function<void(int)>* task_ = nullptr;
+    int count_ = 0;
+    std::atomic<int> next_ = 0;
+};
+
+}  // namespace thermocontact::solve

@@ -21,6 +21,9 @@ constexpr double tightest = 1e-10;
 /// one follows (polish). In scenes/brake-pad.toml a tenth of the tolerance left 1.2e-9 of the flow, a
 /// hundredth 4e-11; in scenes/box.toml (hexahedra of degree 2, 4 processes) 0.87 of it left 8e-9.
 constexpr double beyond_tolerance = 0.01, near_tolerance = 10;
+/// What rounding leaves of a residual is known from a short solve that did not halve it. No step is asked for
+/// less, and what comes within twice of it ends one. A step forgets a tenth: the next ones may leave less.
+constexpr double forgotten = 0.9, close_enough = 2;
 constexpr PetscInt most_iterations = 1000;
 constexpr PetscInt gmres_restart = 60;
 constexpr double worn_out = 1.5;  ///< times the iterations of a new hierarchy: time for another
@@ -216,8 +219,8 @@ bool KrylovProblem::is_round_off(solve::NonlinearTerm& F, const Residual& curren
 /// What Newton's last step leaves is anything below the tolerance: one more, of a few iterations, brings it
 /// near round-off; taken if it lowers the residual.
 void KrylovProblem::polish(solve::NonlinearTerm& F, Residual& current) {
-    const double wanted = beyond_tolerance * options_.tolerance / current.relative;
-    if (!has_contact_ || wanted >= 1) {
+    const double wanted = goal() / current.relative;
+    if (!has_contact_ || close_enough * wanted >= 1) {
         return;
     }
     update_tangent(F);
@@ -226,10 +229,18 @@ void KrylovProblem::polish(solve::NonlinearTerm& F, Residual& current) {
     }
     check(VecWAXPY(candidate_, -1.0, update_, x_));
     const Residual next = residual(F, candidate_);
+    if (2 * next.norm > current.norm) {
+        rounding_ = std::min(next.relative, current.relative);
+    }
     if (next.norm < current.norm) {
         check(VecCopy(candidate_, x_));
         current = next;
     }
+}
+
+/// The relative residual that a step is to end with.
+double KrylovProblem::goal() const {
+    return std::max(beyond_tolerance * options_.tolerance, rounding_);
 }
 
 solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorXd& x) {
@@ -239,6 +250,7 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         Vec vector;
         ~Reset() { VecResetArray(vector); }
     } reset{x_};
+    rounding_ *= forgotten;
     Residual current = residual(F, x_);
     double forcing = has_contact_ ? loosest : tightest;
     solve::CycleDetector cycle;
@@ -263,7 +275,7 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         }
         update_tangent(F);
         // a solve that would come near the tolerance is to be the last, and no more digits than that
-        const double end = beyond_tolerance * options_.tolerance / current.relative;
+        const double end = goal() / current.relative;
         const bool is_last = forcing * current.relative <= near_tolerance * options_.tolerance;
         const double wanted = is_last ? end : std::max(forcing, end);
         if (!solve_linear(std::clamp(wanted, tightest, loosest))) {

@@ -35,6 +35,7 @@ class KrylovProblem final : public solve::StepProblem {
     void update_tangent(solve::NonlinearTerm& F);
     bool solve_linear(double tolerance);
     void polish(solve::NonlinearTerm& F, Residual& current);
+    double goal() const;
     bool is_round_off(solve::NonlinearTerm& F, const Residual& current);
     void take(Vec x);
     void renew_hierarchy();
@@ -57,6 +58,7 @@ class KrylovProblem final : public solve::StepProblem {
     Vector x_, rhs_, linear_, nonlinear_, residual_, update_, candidate_;
     std::vector<double> local_x_, local_, local_z_;
     Eigen::VectorXd contact_x_, contact_F_;
+    double rounding_ = 0;               ///< the relative residual that rounding has left, as far as is known
     std::optional<double> fresh_rate_;  ///< iterations a digit with a new hierarchy; empty: time for one
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <new>
 
+#include "app/blas_threads.h"
 #include "app/check.h"
 #include "app/exit_code.h"
 #include "app/heap.h"
@@ -65,6 +66,7 @@ int fail(const parallel::Backend* backend, int code, const std::string& reason) 
 
 int main(int argc, char** argv) {
     app::prepare_heap();
+    app::keep_blas_to_one_thread();
     std::unique_ptr<parallel::Backend> backend;
     try {
         backend = parallel::open_backend(argc, argv);

@@ -192,7 +192,7 @@ MUTATIONS = (
         "src/solve/panel_factor.cpp",
         "x[static_cast<std::size_t>(first_outside_) + i] += branch.outside[i];",
         "x[static_cast<std::size_t>(first_outside_) + i] = branch.outside[i];",
-        "sum",
+        "missing",
         "what all branches add to the rows beyond them",
     ),
     Mutation(
@@ -200,7 +200,7 @@ MUTATIONS = (
         "src/solve/panel_factor.cpp",
         "branch.outside[static_cast<std::size_t>(rows[r] - first_outside_)] += sums[r];",
         "branch.outside[static_cast<std::size_t>(rows[r] - first_outside_)] = sums[r];",
-        "sum",
+        "missing",
         "what all panels of a branch add to the rows beyond it",
     ),
     Mutation(
@@ -224,7 +224,7 @@ MUTATIONS = (
         "src/solve/workers.cpp",
         "ends_.wait(lock, [this] { return at_work_ == 0; });",
         "ends_.wait(lock, [this] { return at_work_ >= 0; });",
-        "order",
+        "state",
         "run() returns when all tasks are done",
     ),
     Mutation(
@@ -232,7 +232,7 @@ MUTATIONS = (
         "src/solve/workers.cpp",
         "        take_tasks();\n        lock.lock();",
         "        lock.lock();",
-        "order",
+        "state",
         "the other threads take tasks, too",
     ),
 )

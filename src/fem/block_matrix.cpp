@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <stdexcept>
 
 #include "prefetch.h"
 
@@ -164,30 +162,6 @@ bool is_scaled_identity(const double* block, std::size_t size) {
     return true;
 }
 
-void scatter(std::span<const double> tensor, std::span<const std::int32_t> nodes, int components,
-             std::vector<double>& vector) {
-    const auto size = static_cast<std::size_t>(components);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        for (std::size_t c = 0; c < size; ++c) {
-            vector[static_cast<std::size_t>(nodes[i]) * size + c] += tensor[i * size + c];
-        }
-    }
-}
-
-/// Square operators are stored by half: a form that is not symmetric must not pass for its upper triangle.
-void require_symmetry(std::span<const double> tensor, std::size_t size, const std::string& form) {
-    double largest = 0, difference = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            largest = std::max(largest, std::abs(tensor[i * size + j]));
-            difference = std::max(difference, std::abs(tensor[i * size + j] - tensor[j * size + i]));
-        }
-    }
-    if (difference > 1e-10 * largest) {  // round-off of the kernel's sums is far below
-        throw std::logic_error("form " + form + " is not symmetric");
-    }
-}
-
 }  // namespace
 
 NodeGraph make_node_graph(const Space& space) {
@@ -209,6 +183,8 @@ NodeGraph make_node_graph(const Space& space) {
         graph.columns.insert(graph.columns.end(), neighbours.begin(), repeated);
         graph.offsets.push_back(static_cast<std::int32_t>(graph.columns.size()));
     }
+    const auto pairs = static_cast<std::size_t>(dofmap.nodes_per_cell * dofmap.nodes_per_cell);
+    graph.cell_positions.reserve(static_cast<std::size_t>(space.cellwise.node_count) * pairs);
     for (std::int32_t cell = 0; cell < space.cellwise.node_count; ++cell) {
         for (const std::int32_t row : dofmap.of(cell)) {
             for (const std::int32_t column : dofmap.of(cell)) {
@@ -278,74 +254,6 @@ BlockMatrix zero_matrix(const NodeGraph& graph, int rows, int columns) {
     const int block = rows * columns * (rows == columns ? 1 : 2);
     return {&graph, rows, columns,
             std::vector<double>(graph.columns.size() * static_cast<std::size_t>(block), 0.0), false};
-}
-
-BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& graph, int rows, int columns) {
-    BlockMatrix matrix = zero_matrix(graph, rows, columns);
-    const auto n = static_cast<std::size_t>(space.dofmap.nodes_per_cell);
-    const auto r = static_cast<std::size_t>(rows), c = static_cast<std::size_t>(columns);
-    std::vector<double> tensor(n * n * r * c);
-    const std::int32_t* target = graph.cell_positions.data();
-    for (std::int32_t cell = 0; cell < space.cellwise.node_count; ++cell) {
-        std::ranges::fill(tensor, 0.0);
-        form.add_cell(cell, tensor);
-        if (matrix.symmetric() && cell == 0) {
-            require_symmetry(tensor, n * r, form.name());
-        }
-        const auto nodes = space.dofmap.of(cell);
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j, ++target) {
-                const bool lower = nodes[j] < nodes[i];
-                if (lower && matrix.symmetric()) {
-                    continue;
-                }
-                const std::size_t block = matrix.symmetric()
-                                              ? static_cast<std::size_t>(*target)
-                                              : 2 * static_cast<std::size_t>(*target) + (lower ? 1 : 0);
-                double* values = &matrix.values[block * r * c];
-                for (std::size_t a = 0; a < r; ++a) {
-                    for (std::size_t b = 0; b < c; ++b) {
-                        values[a * c + b] += tensor[(i * r + a) * n * c + j * c + b];
-                    }
-                }
-            }
-        }
-    }
-    return matrix;
-}
-
-void assemble_cells(Form& form, const Dofmap& dofmap, int components, std::vector<double>& vector) {
-    std::vector<std::int32_t> all(dofmap.cell_nodes.size() / static_cast<std::size_t>(dofmap.nodes_per_cell));
-    std::iota(all.begin(), all.end(), 0);
-    assemble_cells(form, all, dofmap, components, vector);
-}
-
-void assemble_cells(Form& form, std::span<const std::int32_t> cells, const Dofmap& dofmap, int components,
-                    std::vector<double>& vector) {
-    std::vector<double> tensor(static_cast<std::size_t>(dofmap.nodes_per_cell * components));
-    for (const std::int32_t cell : cells) {
-        std::ranges::fill(tensor, 0.0);
-        form.add_cell(cell, tensor);
-        scatter(tensor, dofmap.of(cell), components, vector);
-    }
-}
-
-void assemble_facets(Form& form, std::span<const mesh::Facet> facets, const Dofmap& dofmap, int components,
-                     std::vector<double>& vector) {
-    std::vector<double> tensor(static_cast<std::size_t>(dofmap.nodes_per_cell * components));
-    for (const mesh::Facet& facet : facets) {
-        std::ranges::fill(tensor, 0.0);
-        form.add_facet(facet, tensor);
-        scatter(tensor, dofmap.of(facet.cell), components, vector);
-    }
-}
-
-double integrate(Form& form, std::span<const mesh::Facet> facets) {
-    double sum = 0.0;
-    for (const mesh::Facet& facet : facets) {
-        form.add_facet(facet, {&sum, 1});
-    }
-    return sum;
 }
 
 }  // namespace thermocontact::fem

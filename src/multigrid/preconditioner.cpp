@@ -106,26 +106,28 @@ void Preconditioner::apply(const std::vector<double>& r, std::vector<double>& z)
     turned_ = r;
     rotations_.turn(turned_);
     with_size(A_->rows, [&]<int size>() {
+        double largest = 0;
         for (std::size_t dof = 0; dof < r.size(); dof += size) {
             divide<size>(scaling_->inverse(dof / size), turned_.data() + dof, z.data() + dof);
-        }
-        double largest = 0;
-        for (const double value : z) {
-            largest = std::max(largest, std::abs(value));
+            for (std::size_t c = 0; c < size; ++c) {
+                largest = std::max(largest, std::abs(z[dof + c]));
+            }
         }
         largest = nodes_.team().max(largest);
         const double unit = largest > 0 ? largest : 1.0;  // so that single precision holds it
-        std::vector<float>& b = hierarchy_->right_hand_side();
-        for (std::size_t dof = 0; dof < z.size(); ++dof) {
-            b[dof / size * lanes(size) + dof % size] = static_cast<float>(z[dof] / unit);
+        float* b = hierarchy_->right_hand_side().data();
+        for (std::size_t dof = 0; dof < z.size(); dof += size, b += lanes(size)) {
+            for (std::size_t c = 0; c < size; ++c) {
+                b[c] = static_cast<float>(z[dof + c] / unit);
+            }
         }
         hierarchy_->apply();
         const float* x = hierarchy_->solution().data();
         for (std::size_t dof = 0; dof < z.size(); dof += size, x += lanes(size)) {
             divide_transposed<size>(scaling_->inverse(dof / size), x, z.data() + dof);
-        }
-        for (double& value : z) {
-            value *= unit;
+            for (std::size_t c = 0; c < size; ++c) {
+                z[dof + c] *= unit;
+            }
         }
     });
 }

@@ -5,17 +5,17 @@ from .mutation import Mutation
 MUTATIONS = (
     Mutation(
         "assembly-transposed-pair",
-        "src/fem/block_matrix.cpp",
-        "tensor[(i * r + a) * n * c + j * c + b]",
-        "tensor[(j * r + a) * n * c + i * c + b]",
+        "src/fem/assembly.cpp",
+        "values[a * columns + b] += from[a * width + b];",
+        "values[a * columns + b] += from[b * width + a];",
         "index",
         "blocks of the pair (j, i) for those of (i, j)",
     ),
     Mutation(
         "assembly-lower-block",
-        "src/fem/block_matrix.cpp",
-        "2 * static_cast<std::size_t>(*target) + (lower ? 1 : 0)",
-        "2 * static_cast<std::size_t>(*target) + (lower ? 0 : 1)",
+        "src/fem/assembly.cpp",
+        "2 * std::ptrdiff_t{*positions} + (lower ? 1 : 0)",
+        "2 * std::ptrdiff_t{*positions} + (lower ? 0 : 1)",
         "index",
         "upper and lower block of a coupling swapped",
     ),
@@ -53,7 +53,7 @@ MUTATIONS = (
     ),
     Mutation(
         "scatter-overwrites",
-        "src/fem/block_matrix.cpp",
+        "src/fem/assembly.cpp",
         "vector[static_cast<std::size_t>(nodes[i]) * size + c] += tensor[i * size + c];",
         "vector[static_cast<std::size_t>(nodes[i]) * size + c] = tensor[i * size + c];",
         "missing",
@@ -61,7 +61,7 @@ MUTATIONS = (
     ),
     Mutation(
         "unsymmetric-form",
-        "src/fem/block_matrix.cpp",
+        "src/fem/assembly.cpp",
         "difference > 1e-10 * largest",
         "difference > 1e10 * largest",
         "range",

@@ -88,6 +88,26 @@ class PlantedTest(unittest.TestCase):
             own, [2 * math.sqrt(1 / 5), math.sqrt(4 / 3), math.sqrt(1 / 5)], rtol=1e-12
         )
 
+    def test_kinks_inside_of_cells(self) -> None:
+        """Of a smooth function's interpolants on a uniform and on a graded lattice, beside rules in 64 parts a cell."""
+        line = np.arange(17) / 16
+        line = line - np.sin(2 * np.pi * line) / 8  # the largest cells are 8 times the smallest
+        parts = np.unique([line[:-1] + np.diff(line) * part / 8 for part in range(9)])
+        resolved = Body(triangles([parts.tolist()] * 2))
+        graded = triangles([line.tolist()] * 2)
+        for fine in (graded, quadratic(graded)):
+            for cells in (16, 8):
+                coarse = triangles([[i / cells for i in range(cells + 1)]] * 2)
+                one, two = (
+                    solution(
+                        mesh, lambda x, y: np.sin(3 * x + y), lambda x, y: [np.sin(3 * x), np.cos(x + 2 * y)]
+                    )
+                    for mesh in (coarse, fine)
+                )
+                apart = Body(fine).norms(one, two)[0] / resolved.norms(one, two)[0] - 1
+                self.assertLess(float(np.abs(apart).max()), 0.04)
+                self.assertGreater(float(np.abs(apart).max()), 1e-4)  # so that the kinks are there
+
     def test_agrees_with_the_error_curves_own_norms(self) -> None:
         """Written apart from these, for nested squares: the same numbers for any nodal values."""
         random = np.random.default_rng(3)

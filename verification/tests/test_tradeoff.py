@@ -56,30 +56,39 @@ def point(error: float, seconds: float, told: bool = True, knob: str = "mesh", v
 class BoundTest(unittest.TestCase):
     """Errors C s^q, at s = 1, r, r^2 from the reference on: the distances, and what is left of the error at s = 1."""
 
-    def bound(self, order: float, theory: float, ratio: float = 2.0) -> tuple[float, float, bool]:
+    def bound(self, order: float, theory: float, *ratios: float) -> tuple[float, float, bool]:
         left = 0.01
-        first, second = (left * (ratio ** (order * (j + 1)) - ratio ** (order * j)) for j in (0, 1))
-        found = bound("space", ratio, theory, first, second)
+        errors = [left * ratio**order for ratio in (1.0, *ratios)]
+        found = bound("space", ratios, theory, [b - a for a, b in zip(errors, errors[1:])])
         return found.value, left, found.sure
 
     def test_is_exact_for_a_power(self) -> None:
-        for order, ratio in ((1.0, 2.0), (0.7, 2.0), (0.5, 10.0), (2.0, 2.0)):
-            value, left, sure = self.bound(order, 2.0, ratio)
+        for order, *ratios in (
+            (1.0, 2.0, 4.0),
+            (0.7, 2.0, 4.0),
+            (0.5, 10.0, 100.0),
+            (2.0, 2.0, 4.0),
+            (1.3, 1.5, 3.0),
+        ):
+            value, left, sure = self.bound(order, 2.0, *ratios)
             self.assertAlmostEqual(value, left, delta=1e-12)
             self.assertTrue(sure)
 
     def test_order_beyond_theory_is_not_trusted(self) -> None:
-        value, left, _ = self.bound(3.0, 2.0)
+        value, left, _ = self.bound(3.0, 2.0, 2.0, 4.0)
         self.assertAlmostEqual(value / left, 7 / 3, delta=1e-12)
 
+    def test_theory_where_there_is_one_distance(self) -> None:
+        self.assertAlmostEqual(bound("quadrature", [5 / 3], 1.0, [0.02]).value, 0.03)
+
     def test_differences_that_do_not_fall_are_said(self) -> None:
-        found = bound("time", 2.0, 2.0, 1e-3, 1e-3)
+        found = bound("time", [2.0, 4.0], 2.0, [1e-3, 1e-3])
         self.assertFalse(found.sure)
         self.assertAlmostEqual(found.value, 1e-3 / (2**LEAST - 1))
-        self.assertIn("do not fall", found.text())
+        self.assertIn("hardly fall", found.text())
 
     def test_round_off_is_its_own_bound(self) -> None:
-        self.assertEqual(bound("solver", 100.0, 1.0, 1e-13, None).value, 1e-13)
+        self.assertEqual(bound("solver", [100.0], 1.0, [1e-13]).value, 1e-13)
 
 
 class FrontTest(unittest.TestCase):

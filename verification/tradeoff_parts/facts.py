@@ -121,7 +121,7 @@ def absent(facts: Facts) -> list[str]:
         lines.append("epsilon: the scene has no regularised friction")
     if not facts.coupled:
         lines.append("coupling: the scene has not both momentum and heat")
-    lines.append("precision of the factor: the scheme has no key for it")
+    lines.append("precision of the factor: the schema has no key for it")
     return lines
 
 

@@ -96,7 +96,7 @@ def bounds(runs: Runs, plan: Plan, best: Reference) -> tuple[list[Bound], list[s
         if source not in coarser:
             missing.append(f"{source}: not bounded, errors are those on this mesh")
             continue
-        ratio, theory, choices = coarser[source]
+        ratios, theory, choices = coarser[source]
         done = [runs.of(choice) for choice in choices]
         failed = [run for run in done if isinstance(run, Failed)]
         if failed or isinstance(whole, Failed):
@@ -104,7 +104,7 @@ def bounds(runs: Runs, plan: Plan, best: Reference) -> tuple[list[Bound], list[s
             continue
         finished = [whole, *(run for run in done if isinstance(run, Done))]
         apart = [best.distance(b, a).largest for a, b in zip(finished, finished[1:])]
-        found.append(bound(source, ratio, theory, apart[0], apart[1] if len(apart) > 1 else None))
+        found.append(bound(source, ratios, theory, apart))
     return found, missing
 
 

@@ -1,6 +1,6 @@
 """The designed set of configurations: each knob turned alone from one base, the scene as it is, the paper's choice, bargains."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from tradeoff_parts.choice import Choice, Coupling, Quadrature, Regularisation, Solver, Space, Time
@@ -110,9 +110,17 @@ class Plan:
 
     @property
     def factor(self) -> int:
-        """Of the scene's cells, in the default reference: such that they can be halved twice."""
-        cells = self.facts.cells or ()
-        return 2 if self.facts.dimension == 2 and all(count % 2 == 0 for count in cells) else 4
+        """Of the scene's cells, in the default reference."""
+        return 2 if self.halved else 3
+
+    @property
+    def halved(self) -> bool:
+        """Whether the reference is made coarser by halving it twice; else it is thrice the scene, then twice, once."""
+        return self.facts.dimension == 2 and all(count % 2 == 0 for count in self.facts.cells or ())
+
+    @property
+    def coarsening(self) -> tuple[float, float]:
+        return (2.0, 4.0) if self.halved else (1.5, 3.0)
 
     @property
     def second_order(self) -> str:
@@ -129,33 +137,36 @@ class Plan:
             Space(scaled(self.facts.cells, self.factor * self.finer), 2, self.ratio),
         )
 
-    def coarser(self) -> Mapping[str, tuple[float, float, list[Choice]]]:
-        """For each source: the ratio, theory's order in the worst of the norms, the reference made coarser by the
-        ratio, once or twice. The contact rule has no order; 3 points in place of 5 count as a ratio of 5/3, of order 1.
+    def coarser(self) -> Mapping[str, tuple[Sequence[float], float, list[Choice]]]:
+        """For each source: ratios to the reference, theory's order in the worst of the norms, the reference made coarser
+        by these, once or twice. The contact rule has no order; 3 points in place of 5 count as a ratio of 5/3, of order 1.
         """
         best = self.reference()
-        time, rule, space = best.time, replace(best, quadrature=Quadrature(4)), best.space
-        found = {
-            "solver": (100.0, 1.0, [replace(best, solver=Solver(100 * TIGHT, "auto"))]),
-            "coupling": (10.0, 1.0, [replace(best, coupling=Coupling(10 * TIGHT_COUPLING))]),
-            "time": (2.0, 2.0, [replace(best, time=replace(time, steps=time.steps // f)) for f in (2, 4)]),
+        time, space = best.time, best.space
+        times = [replace(time, steps=time.steps // f) for f in (2, 4)]
+        found: dict[str, tuple[Sequence[float], float, list[Choice]]] = {
+            "solver": ([100.0], 1.0, [replace(best, solver=Solver(100 * TIGHT, "auto"))]),
+            "coupling": ([10.0], 1.0, [replace(best, coupling=Coupling(10 * TIGHT_COUPLING))]),
+            "time": ([2.0, 4.0], 2.0, [replace(best, time=coarse) for coarse in times]),
             "regularisation": (
-                10.0,
+                [10.0, 100.0],
                 1.0,
-                [replace(best, regularisation=Regularisation(f)) for f in (0.1, 1.0)],
+                [replace(best, regularisation=Regularisation(factor)) for factor in (0.1, 1.0)],
             ),
-            "quadrature": (5 / 3, 1.0, [rule]),
+            "quadrature": ([5 / 3], 1.0, [replace(best, quadrature=Quadrature(4))]),
         }
         if self.facts.cells:
-            meshes = [replace(space, cells=scaled(space.cells, 1 / f)) for f in (2, 4)]
-            found["space"] = (2.0, 2.0, [replace(best, space=mesh) for mesh in meshes])
+            meshes = [replace(space, cells=scaled(space.cells, 1 / ratio)) for ratio in self.coarsening]
+            found["space"] = (self.coarsening, 2.0, [replace(best, space=mesh) for mesh in meshes])
         return found
 
     def pilots(self) -> Mapping[float, tuple[Choice, Choice]]:
         """For each ratio of the grading two meshes in few steps: the best one moves the solution least."""
         found = {}
         for ratio in RATIOS if self.facts.gradable else ():
-            meshes = [Space(scaled(self.facts.cells, self.factor * self.finer / f), 2, ratio) for f in (4, 2)]
+            finest = self.factor * self.finer
+            sizes = [scaled(self.facts.cells, finest / coarser) for coarser in reversed(self.coarsening)]
+            meshes = [Space(cells, 2, ratio) for cells in sizes]
             coarse, fine = (replace(self.base(), space=mesh) for mesh in meshes)
             found[ratio] = (coarse, fine)
         return found
@@ -168,8 +179,13 @@ class Plan:
             Time(self.second_order, 4 * self.facts.steps),
             Regularisation(0.1),
             Quadrature(9 if self.facts.contacts else None),
-            Space(scaled(self.facts.cells, self.factor / 4), 2, self.ratio),
+            Space(scaled(self.facts.cells, self.factor / self.coarsening[1]), 2, self.ratio),
         )
+
+    @property
+    def sizes(self) -> list[float]:
+        """Of uniform meshes, as factors of the scene's cells."""
+        return [self.factor / f for f in (8, 4, 2, 1)] if self.halved else [1.0, 2.0, 3.0]
 
     def step_counts(self) -> list[int]:
         counts, count = [], self.facts.outputs
@@ -203,11 +219,11 @@ class Plan:
             for degree in (1, 2):
                 yield Configuration(DEGREE, 1.0 / degree, replace(base, space=Space(None, degree)))
             return
-        sizes = [self.factor / f for f in (8, 4, 2, 1)]
+        sizes = self.sizes
         for knob, degree, ratio, factors in (
             (MESH_1, 1, self.uniform, sizes),
-            (MESH_2, 2, self.uniform, sizes[:3]),
-            (GRADED, 2, self.ratio, sizes[:3] if self.ratio not in (None, 1.0) else []),
+            (MESH_2, 2, self.uniform, sizes[:-1]),
+            (GRADED, 2, self.ratio, sizes[:-1] if self.ratio not in (None, 1.0) else []),
         ):
             for factor in factors:
                 mesh = Space(scaled(cells, factor), degree, ratio)
@@ -239,8 +255,7 @@ class Plan:
     def _paper(self) -> Iterator[Configuration]:
         """Backward Euler, lagged, uniform meshes of degree 1, the scene's epsilon; k falls as h does."""
         outputs, steps = self.facts.outputs, self.facts.steps
-        sizes = [self.factor / f for f in (8, 4, 2, 1)] if self.facts.cells else []
-        for factor in sizes:
+        for factor in self.sizes if self.facts.cells else []:
             count = max(1, round(factor * steps / outputs)) * outputs
             mesh = Space(scaled(self.facts.cells, factor), 1, self.uniform)
             choice = replace(as_it_is(self.facts), space=mesh, time=Time(FIRST_ORDER, count))

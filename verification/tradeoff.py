@@ -11,7 +11,8 @@ and bargains of several. A knob that the scene or the driver does not have is na
 Error: the largest, over output times and the norms ||w||_L2, ||eps(u)||_L2, ||theta||_L2 over the body (lattice_errors),
 of the difference to a reference, relative to the largest norm of the reference's field. The reference is finer in all
 that errs; by how much it may itself be off is bounded for each source (tradeoff_parts/bounds.py has the derivation) and
-printed. Errors below three times that sum are marked: they may be off by more than a third, and are not on the front.
+printed. Errors below three times that sum are marked, as they may be off by more than a third; those below it are not on
+the front.
 
 Beside its error stand its parts: from a configuration to the reference one source after the other is made the
 reference's, and the distances of these steps are the parts of solver, coupling, time, regularisation, contact quadrature
@@ -20,7 +21,7 @@ and space. By the triangle inequality their sum is at least the error.
 Time: setup, factorisations and steps, medians over rounds in which each configuration runs once, alone. A run that fails
 or takes longer than --limit is a row that says so. --finer F: F times the cells and steps of the reference.
 
-In DIR: tradeoff.csv (all configurations), prices.csv (what a digit costs, orders), tradeoff.txt, tradeoff.png (and .pdf
+In DIR: tradeoff.csv (all configurations), prices.csv and .md (what a digit costs, orders), tradeoff.txt, tradeoff.png (and .pdf
 but for --small). Exit codes: 0 done, 1 the reference failed or nothing can be written, 2 the scene is not one for it.
 """
 
@@ -35,12 +36,12 @@ from pathlib import Path
 from typing import Any
 
 from tradeoff_parts.facts import Facts, Unfit, absent, facts_of, hindrances, keys, stated
-from tradeoff_parts.measure import NoReference, Reference, best_ratio, bounds, measured
+from tradeoff_parts.measure import NoReference, Reference, best_grading, bounds, measured
 from tradeoff_parts.picture import draw
 from tradeoff_parts.plan import Plan, knobs
 from tradeoff_parts.prices import prices
 from tradeoff_parts.runs import Failed, Runs, run
-from tradeoff_parts.tables import Study, text, write_points, write_prices
+from tradeoff_parts.tables import Study, markdown, text, write_points, write_prices
 from under_test import DRIVER, ROOT
 
 
@@ -97,7 +98,7 @@ def study(options: argparse.Namespace, folder: Path) -> Study:
     facts, resolved, fractions = first_run(options, folder / "first")
     runs = Runs(options.driver, options.scene, facts, folder, options.limit, options.jobs, dict(options.set))
     plan = Plan(facts, options.finer)
-    plan = Plan(facts, options.finer, best_ratio(runs, plan))
+    plan = Plan(facts, options.finer, best_grading(runs, plan))
     known = knobs(facts)
     chosen = [of for of in plan.configurations() if wanted(of.knob, options.knob)]
     if not chosen:
@@ -128,6 +129,7 @@ def main(arguments: Sequence[str]) -> int:
         write_points(found, options.output / "tradeoff.csv")
         write_prices(found, options.output / "prices.csv")
         (options.output / "tradeoff.txt").write_text(text(found) + "\n", encoding="utf-8")
+        (options.output / "prices.md").write_text(markdown(found), encoding="utf-8")
         draw(found, options.output, options.small)
         print(text(found))
     except Unfit as problem:

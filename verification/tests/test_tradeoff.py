@@ -46,11 +46,13 @@ FACTS = Facts(
 )
 
 
-def point(error: float, seconds: float, told: bool = True, knob: str = "mesh", value: float = 1.0) -> Point:
+def point(
+    error: float, seconds: float, margin: float = 10.0, knob: str = "mesh", value: float = 1.0
+) -> Point:
     """Its own error of space is half of it, of w a quarter."""
     of = Configuration(knob, value, as_it_is(FACTS))
     parts = {"space": Error((error / 4, error / 2, error / 2))}
-    return Point(of, Error((error / 2, error, error)), parts, Seconds(0.0, 0.0, seconds, 3), told)
+    return Point(of, Error((error / 2, error, error)), parts, Seconds(0.0, 0.0, seconds, 3), margin)
 
 
 class BoundTest(unittest.TestCase):
@@ -95,7 +97,7 @@ class FrontTest(unittest.TestCase):
     def test_front(self) -> None:
         a, b, c = point(1e-1, 1.0), point(1e-2, 2.0), point(1e-3, 8.0)
         beaten = [point(2e-1, 1.5), point(1e-2, 2.5), point(5e-3, 9.0)]
-        near = point(1e-4, 3.0, told=False)
+        near = point(1e-4, 3.0, margin=0.9)
         self.assertEqual(front([c, *beaten, near, a, b]), [a, b, c])
 
     def test_of_two_as_fast_the_better_one(self) -> None:
@@ -134,7 +136,7 @@ class PlanTest(unittest.TestCase):
             self.assertEqual(dataclasses.replace(one, **{source: getattr(two, source)}), two)
 
     def test_reference_is_finest_in_all(self) -> None:
-        plan = Plan(FACTS, ratio=4.0)
+        plan = Plan(FACTS, grading=(1.0, 1.0, 1.0, 4.0))
         best = plan.reference()
         for of in plan.configurations():
             choice = of.choice
@@ -151,7 +153,7 @@ class PlanTest(unittest.TestCase):
         self.assertLessEqual({of.knob for of in chosen}, set(knobs(FACTS)))
 
     def test_settings(self) -> None:
-        choice = Plan(FACTS, ratio=4.0).reference()
+        choice = Plan(FACTS, grading=(1.0, 1.0, 1.0, 4.0)).reference()
         settings = choice.settings(FACTS)
         self.assertEqual(settings["mesh.cells"], [16, 16])
         self.assertEqual(settings["mesh.grading.top"], 4.0)

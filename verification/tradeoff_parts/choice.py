@@ -10,18 +10,19 @@ Settings = dict[str, Any]
 
 @dataclass(frozen=True)
 class Space:
-    """`cells` None: as in the mesh's file. `grading`: the ratio at all sides, 1 is uniform; None: as in the scene."""
+    """`cells` None: as in the mesh's file. `grading`: the ratio at each side, 1 where the mesh is not finer there; None: as
+    in the scene."""
 
     cells: tuple[int, ...] | None
     degree: int
-    grading: float | None = None
+    grading: tuple[float, ...] | None = None
 
     def settings(self, facts: Facts) -> Settings:
         chosen: Settings = {"space.degree": self.degree}
         if self.cells:
             chosen["mesh.cells"] = list(self.cells)
         if self.grading is not None and facts.gradable:
-            chosen |= {f"mesh.grading.{side}": self.grading for side in facts.sides}
+            chosen |= {f"mesh.grading.{side}": ratio for side, ratio in zip(facts.sides, self.grading)}
         return chosen
 
 

@@ -35,7 +35,12 @@ class Point:
     error: Error
     parts: Mapping[str, Error]  # by source
     seconds: Seconds
-    told: bool  # from the reference, whose own error is far below
+    margin: float  # the error over the bound of the reference's own
+
+    @property
+    def told(self) -> bool:
+        """From the reference: known to a third."""
+        return self.margin > TOLD_APART
 
 
 @dataclass(frozen=True)
@@ -70,19 +75,27 @@ def chain(choice: Choice, best: Choice) -> list[Choice]:
     return links
 
 
-def best_ratio(runs: Runs, plan: Plan) -> float | None:
-    """Of the grading: the one whose refinement moves the solution least. None where there is no grading."""
-    pilots = plan.pilots()
-    runs.all([choice for pair in pilots.values() for choice in pair])
-    moved = {}
-    for ratio, pair in pilots.items():
-        coarse, fine = (runs.of(choice) for choice in pair)
-        if isinstance(coarse, Done) and isinstance(fine, Done):
-            body = Body(fine.solution.mesh)
-            size = body.norms(fine.solution).max(axis=0)
-            apart = body.norms(coarse.solution, fine.solution).max(axis=0)
-            moved[ratio] = max(a / s for a, s in zip(apart, size) if s > 0)
-    return min(moved, key=lambda ratio: moved[ratio]) if moved else None
+def best_grading(runs: Runs, plan: Plan) -> tuple[float, ...] | None:
+    """The one with which refinement moves the solution least, if by a twentieth less than the uniform mesh; None where the
+    mesh cannot be graded."""
+    tried = plan.gradings()
+    if not tried:
+        return None
+    runs.all([choice for grading in tried for choice in plan.pilots(grading)])
+    found = {grading: moved(runs, plan, grading) for grading in tried}
+    best = min(found, key=lambda grading: found[grading])
+    return best if found[best] < 0.95 * found[tried[0]] else tried[0]
+
+
+def moved(runs: Runs, plan: Plan, grading: tuple[float, ...]) -> float:
+    """By the refinement of the pilots' mesh; infinite where one of them failed."""
+    coarse, fine = (runs.of(choice) for choice in plan.pilots(grading))
+    if isinstance(coarse, Failed) or isinstance(fine, Failed):
+        return np.inf
+    body = Body(fine.solution.mesh)
+    size = body.norms(fine.solution).max(axis=0)
+    apart = body.norms(coarse.solution, fine.solution).max(axis=0)
+    return float(max(a / s for a, s in zip(apart, size) if s > 0))
 
 
 def bounds(runs: Runs, plan: Plan, best: Reference) -> tuple[list[Bound], list[str]]:
@@ -147,6 +160,6 @@ def measured(
             lost.append(Lost(of, time.reason))
         elif time and isinstance(whole, Done):
             error = best.distance(run, whole)
-            told = error.largest > TOLD_APART * own
-            points.append(Point(of, error, split(runs, best, of.choice), time, told))
+            margin = error.largest / own if own > 0 else np.inf
+            points.append(Point(of, error, split(runs, best, of.choice), time, margin))
     return points, lost

@@ -84,8 +84,8 @@ def configurations(axes: Any, study: Study, looks: dict[str, dict[str, Any]]) ->
         hollow = {**looks[name], "linestyle": "", "markerfacecolor": "white", "zorder": above}
         axes.loglog([of.seconds.total for of in near], [of.error.largest for of in near], **hollow)
     if PAPER in found:
-        first = found[PAPER][0]
-        named(axes, PAPER, (first.seconds.total, first.error.largest), (10, 2))
+        finest = found[PAPER][-1]
+        named(axes, PAPER, (finest.seconds.total, finest.error.largest), (9, 3))
     for point in found.get(DEFAULT, []):
         named(axes, DEFAULT, (point.seconds.total, point.error.largest), (12, 10))
 

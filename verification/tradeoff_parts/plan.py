@@ -7,7 +7,8 @@ from tradeoff_parts.choice import Choice, Coupling, Quadrature, Regularisation, 
 from tradeoff_parts.facts import Facts
 
 DEFAULT, PAPER, BARGAIN = "the scene as it is", "the paper's h = k", "bargains"
-RATIOS = (1.0, 4.0, 16.0)  # of the grading, tried for the reference
+FINE, FINER = 4.0, 16.0  # ratios of the grading at a side, tried for the reference
+COARSER = (2.0, 4.0)  # by what the reference's h and k are made coarser
 TIGHT = 1e-12  # Newton's relative residual in all that is not about it
 TIGHT_COUPLING = 1e-6
 BASE_COUPLING = 1e-3
@@ -98,29 +99,40 @@ def as_it_is(facts: Facts) -> Choice:
 
 @dataclass(frozen=True)
 class Plan:
-    """`finer` times the cells and steps of the default reference; `ratio` of its grading, None where there is none."""
+    """`finer` times the cells and steps of the default reference; its `grading`, None where there is none."""
 
     facts: Facts
     finer: int = 1
-    ratio: float | None = None
+    grading: tuple[float, ...] | None = None
 
     @property
-    def uniform(self) -> float | None:
-        return 1.0 if self.facts.gradable else None
+    def uniform(self) -> tuple[float, ...] | None:
+        return (1.0,) * len(self.facts.sides) if self.facts.gradable else None
 
     @property
     def factor(self) -> int:
         """Of the scene's cells, in the default reference."""
-        return 2 if self.halved else 3
+        return 2 if self.facts.dimension == 2 else 3
 
-    @property
-    def halved(self) -> bool:
-        """Whether the reference is made coarser by halving it twice; else it is thrice the scene, then twice, once."""
-        return self.facts.dimension == 2 and all(count % 2 == 0 for count in self.facts.cells or ())
+    def finest(self, coarser: float = 1.0) -> tuple[int, ...] | None:
+        """The reference's cells, to the next multiple of four so that they can be halved twice; or made coarser."""
+        cells = self.facts.cells
+        if cells is None:
+            return None
+        return tuple(
+            round(4 * max(1, round(count * self.factor * self.finer / 4)) / coarser) for count in cells
+        )
 
-    @property
-    def coarsening(self) -> tuple[float, float]:
-        return (2.0, 4.0) if self.halved else (1.5, 3.0)
+    def gradings(self) -> list[tuple[float, ...]]:
+        """That the reference may have, the uniform one first; none where the mesh cannot be graded."""
+        sides, contacts = self.facts.sides, self.facts.contacts
+        if self.uniform is None:
+            return []
+        tried = [self.uniform, *((ratio,) * len(sides) for ratio in (FINE, FINER))]
+        if contacts:
+            tried.append(tuple(FINE if side in contacts else 1.0 for side in sides))
+            tried.append(tuple(1.0 if side in contacts else FINER for side in sides))
+        return tried
 
     @property
     def second_order(self) -> str:
@@ -134,7 +146,7 @@ class Plan:
             Time(self.second_order, 16 * self.finer * self.facts.steps),
             Regularisation(0.01),
             Quadrature(9 if self.facts.contacts else None),
-            Space(scaled(self.facts.cells, self.factor * self.finer), 2, self.ratio),
+            Space(self.finest(), 2, self.grading),
         )
 
     def coarser(self) -> Mapping[str, tuple[Sequence[float], float, list[Choice]]]:
@@ -143,11 +155,11 @@ class Plan:
         """
         best = self.reference()
         time, space = best.time, best.space
-        times = [replace(time, steps=time.steps // f) for f in (2, 4)]
+        times = [replace(time, steps=round(time.steps / coarser)) for coarser in COARSER]
         found: dict[str, tuple[Sequence[float], float, list[Choice]]] = {
             "solver": ([100.0], 1.0, [replace(best, solver=Solver(100 * TIGHT, "auto"))]),
             "coupling": ([10.0], 1.0, [replace(best, coupling=Coupling(10 * TIGHT_COUPLING))]),
-            "time": ([2.0, 4.0], 2.0, [replace(best, time=coarse) for coarse in times]),
+            "time": (COARSER, 2.0, [replace(best, time=coarse) for coarse in times]),
             "regularisation": (
                 [10.0, 100.0],
                 1.0,
@@ -156,20 +168,15 @@ class Plan:
             "quadrature": ([5 / 3], 1.0, [replace(best, quadrature=Quadrature(4))]),
         }
         if self.facts.cells:
-            meshes = [replace(space, cells=scaled(space.cells, 1 / ratio)) for ratio in self.coarsening]
-            found["space"] = (self.coarsening, 2.0, [replace(best, space=mesh) for mesh in meshes])
+            meshes = [replace(space, cells=self.finest(coarser)) for coarser in COARSER]
+            found["space"] = (COARSER, 2.0, [replace(best, space=mesh) for mesh in meshes])
         return found
 
-    def pilots(self) -> Mapping[float, tuple[Choice, Choice]]:
-        """For each ratio of the grading two meshes in few steps: the best one moves the solution least."""
-        found = {}
-        for ratio in RATIOS if self.facts.gradable else ():
-            finest = self.factor * self.finer
-            sizes = [scaled(self.facts.cells, finest / coarser) for coarser in reversed(self.coarsening)]
-            meshes = [Space(cells, 2, ratio) for cells in sizes]
-            coarse, fine = (replace(self.base(), space=mesh) for mesh in meshes)
-            found[ratio] = (coarse, fine)
-        return found
+    def pilots(self, grading: tuple[float, ...]) -> tuple[Choice, Choice]:
+        """With that grading two meshes in few steps: the better it is, the less do they differ."""
+        coarse, fine = (self.finest(coarser) for coarser in reversed(COARSER))
+        base = replace(self.base(), time=Time(self.second_order, self.facts.steps))
+        return replace(base, space=Space(coarse, 2, grading)), replace(base, space=Space(fine, 2, grading))
 
     def base(self) -> Choice:
         """Where all knobs stand that are not turned."""
@@ -179,13 +186,15 @@ class Plan:
             Time(self.second_order, 4 * self.facts.steps),
             Regularisation(0.1),
             Quadrature(9 if self.facts.contacts else None),
-            Space(scaled(self.facts.cells, self.factor / self.coarsening[1]), 2, self.ratio),
+            Space(
+                scaled(self.facts.cells, self.sizes[1] if self.facts.dimension == 2 else 1.0), 2, self.grading
+            ),
         )
 
     @property
     def sizes(self) -> list[float]:
         """Of uniform meshes, as factors of the scene's cells."""
-        return [self.factor / f for f in (8, 4, 2, 1)] if self.halved else [1.0, 2.0, 3.0]
+        return [0.25, 0.5, 1.0, 2.0] if self.facts.dimension == 2 else [1.0, 2.0, 3.0]
 
     def step_counts(self) -> list[int]:
         counts, count = [], self.facts.outputs
@@ -223,7 +232,7 @@ class Plan:
         for knob, degree, ratio, factors in (
             (MESH_1, 1, self.uniform, sizes),
             (MESH_2, 2, self.uniform, sizes[:-1]),
-            (GRADED, 2, self.ratio, sizes[:-1] if self.ratio not in (None, 1.0) else []),
+            (GRADED, 2, self.grading, sizes[:-1] if self.grading != self.uniform else []),
         ):
             for factor in factors:
                 mesh = Space(scaled(cells, factor), degree, ratio)
@@ -268,11 +277,11 @@ class Plan:
         )
         counts = [count * self.facts.steps for count in (1, 2, 4)]
         for cells, steps in zip(meshes, counts):
-            mesh = Space(cells, 2, self.ratio)
+            mesh = Space(cells, 2, self.grading)
             yield Configuration(
                 BARGAIN, 1 / steps, replace(base, space=mesh, time=Time(self.second_order, steps))
             )
         for cells, tolerance in zip(meshes[1:], (1e-2, 1e-3)):
-            choice = replace(base, space=Space(cells, 2, self.ratio))
+            choice = replace(base, space=Space(cells, 2, self.grading))
             adapted = Time(self.second_order, self.facts.outputs, tolerance)
             yield Configuration(BARGAIN, tolerance, replace(choice, time=adapted))

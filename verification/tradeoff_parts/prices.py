@@ -31,10 +31,10 @@ class Price:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Those than which none is both faster and more accurate, by their time; among points told from the reference."""
+    """Those than which none is both faster and more accurate, by their time; among errors above the reference's own."""
     best: list[Point] = []
-    told = [point for point in points if point.told]
-    for point in sorted(told, key=lambda point: (point.seconds.total, point.error.largest)):
+    above = [point for point in points if point.margin > 1]
+    for point in sorted(above, key=lambda point: (point.seconds.total, point.error.largest)):
         if not best or point.error.largest < best[-1].error.largest:
             best.append(point)
     return best

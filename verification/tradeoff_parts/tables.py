@@ -120,6 +120,25 @@ def price_line(found: Price, knob: Knob) -> str:
     return f"{line}  theory {due}{'  below in ' + ', '.join(below) if below else ''}"
 
 
+def listed(values: Sequence[float | None]) -> str:
+    return ", ".join("–" if value is None else f"{value:.2g}" for value in values)
+
+
+def markdown(study: Study) -> str:
+    """The prices as a table for a README."""
+    lines = [
+        "| knob | its own error | a digit more costs | order of w, ε(u), θ | theory |",
+        "| --- " * 5 + "|",
+    ]
+    for found in study.prices:
+        knob = study.knobs[found.knob]
+        cost = "–" if found.factor is None else f"{found.factor:.2g}"
+        due = "–" if knob.theory is None else listed(knob.theory)
+        errors = f"{found.from_error:.1e} to {found.to_error:.1e}"
+        lines.append(f"| {found.knob} | {errors} | {cost} | {listed(found.orders)} | {due} |")
+    return "\n".join(lines) + "\n"
+
+
 def text(study: Study) -> str:
     lines = [
         f"{study.facts.name}: errors relative to the reference's largest norm, the largest of w, eps(u), theta"

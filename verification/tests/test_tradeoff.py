@@ -180,6 +180,9 @@ class PlanTest(unittest.TestCase):
         for knob in turned:
             self.assertFalse(knob.startswith(("mesh", "epsilon", "contact", "coupling", "lagged")), knob)
         self.assertNotIn("space", Plan(bare).coarser())
+        self.assertEqual(Plan(bare).gradings(), [])
+        self.assertEqual(Plan(dataclasses.replace(FACTS, graded=False)).gradings(), [])
+        self.assertEqual(Plan(FACTS).gradings()[0], (1.0,) * 4)
 
     def test_what_hinders_theory(self) -> None:
         resolved: dict[str, Any] = {

@@ -125,9 +125,9 @@ class Plan:
 
     def gradings(self) -> list[tuple[float, ...]]:
         """That the reference may have, the uniform one first; none where the mesh cannot be graded."""
-        sides, contacts = self.facts.sides, self.facts.contacts
         if self.uniform is None:
             return []
+        sides, contacts = self.facts.sides, self.facts.contacts
         tried = [self.uniform, *((ratio,) * len(sides) for ratio in (FINE, FINER))]
         if contacts:
             tried.append(tuple(FINE if side in contacts else 1.0 for side in sides))

@@ -1,103 +1,120 @@
 #include "solve/column_group.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 
 #include "prefetch.h"
 
 namespace thermocontact::solve {
 namespace {
 
-// The columns of a group are too short for the hardware prefetcher, but groups follow each other in memory.
-constexpr std::ptrdiff_t chunk = 8;  ///< rows between prefetches: four columns of one cache line each
-constexpr std::ptrdiff_t prefetch_reach = 8192, prefetched = 4 * chunk * sizeof(double);  ///< bytes
+constexpr std::ptrdiff_t prefetch_reach = 8192;  ///< bytes
 
-/// x_below -= L x for one group of columns; `rows` numbers in each column, `leading` apart.
-void subtract_columns(const double* __restrict L, std::ptrdiff_t leading, std::ptrdiff_t rows,
-                      const double* __restrict x, double* __restrict below) {
-    const double x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
-    const double *L1 = L + leading, *L2 = L1 + leading, *L3 = L2 + leading;
-    const char* ahead = reinterpret_cast<const char*>(L) + prefetch_reach;
-    std::ptrdiff_t r = 0;
-    for (; r + chunk <= rows; r += chunk, ahead += prefetched) {
-        prefetch<prefetched>(ahead);
-#pragma omp simd
-        for (std::ptrdiff_t i = r; i < r + chunk; ++i) {
-            below[i] -= L[i] * x0 + L1[i] * x1 + L2[i] * x2 + L3[i] * x3;
+/// Numbers that the triangle takes: whole cache lines.
+constexpr std::int64_t triangle(std::int32_t width) {
+    return (width * width + chunk - 1) / chunk * chunk;
+}
+
+/// What one chunk takes, bytes.
+template <int width>
+constexpr std::size_t chunk_bytes = width* chunk * sizeof(double);
+
+template <int width>
+void solve(const double* __restrict L, std::int32_t rows, double* __restrict x) {
+    for (int c = 0; c < width; ++c) {
+        x[c] *= L[c * width + c];
+        for (int r = c + 1; r < width; ++r) {
+            x[r] -= L[c * width + r] * x[c];
         }
     }
-    for (; r < rows; ++r) {
-        below[r] -= L[r] * x0 + L1[r] * x1 + L2[r] * x2 + L3[r] * x3;
+    double pivots[width];
+    std::copy_n(x, width, pivots);
+    const double* below = L + triangle(width);
+    const char* ahead = reinterpret_cast<const char*>(L) + prefetch_reach;
+    for (std::int32_t r = width; r < rows; r += chunk, below += width * chunk, ahead += chunk_bytes<width>) {
+        prefetch<chunk_bytes<width>>(ahead);
+#pragma omp simd
+        for (int i = 0; i < chunk; ++i) {
+            double sum = 0;
+            for (int c = 0; c < width; ++c) {
+                sum += below[c * chunk + i] * pivots[c];
+            }
+            x[r + i] -= sum;
+        }
     }
 }
 
-/// x -= L^T below for one group of columns.
-void subtract_products(const double* __restrict L, std::ptrdiff_t leading, std::ptrdiff_t rows,
-                       const double* __restrict below, double* __restrict x) {
-    const double *L1 = L + leading, *L2 = L1 + leading, *L3 = L2 + leading;
+template <int width>
+void solve_transposed(const double* __restrict L, std::int32_t rows, double* __restrict x) {
+    double sums[width][chunk] = {};
+    const double* below = L + triangle(width);
     const char* ahead = reinterpret_cast<const char*>(L) - prefetch_reach;
-    double s[4][chunk] = {};
-    std::ptrdiff_t r = 0;
-    for (; r + chunk <= rows; r += chunk, ahead += prefetched) {
-        prefetch<prefetched>(ahead);
+    for (std::int32_t r = width; r < rows; r += chunk, below += width * chunk, ahead += chunk_bytes<width>) {
+        prefetch<chunk_bytes<width>>(ahead);
+        for (int c = 0; c < width; ++c) {
 #pragma omp simd
-        for (std::ptrdiff_t i = 0; i < chunk; ++i) {
-            s[0][i] += L[r + i] * below[r + i];
-            s[1][i] += L1[r + i] * below[r + i];
-            s[2][i] += L2[r + i] * below[r + i];
-            s[3][i] += L3[r + i] * below[r + i];
+            for (int i = 0; i < chunk; ++i) {
+                sums[c][i] += below[c * chunk + i] * x[r + i];
+            }
         }
     }
-    for (; r < rows; ++r) {
-        s[0][0] += L[r] * below[r];
-        s[1][0] += L1[r] * below[r];
-        s[2][0] += L2[r] * below[r];
-        s[3][0] += L3[r] * below[r];
-    }
-    for (std::ptrdiff_t c = 0; c < 4; ++c) {
-        for (std::ptrdiff_t i = 0; i < chunk; ++i) {
-            x[c] -= s[c][i];
+    for (int c = width - 1; c >= 0; --c) {
+        for (int i = 0; i < chunk; ++i) {
+            x[c] -= sums[c][i];
         }
+        for (int r = c + 1; r < width; ++r) {
+            x[c] -= L[c * width + r] * x[r];
+        }
+        x[c] *= L[c * width + c];
+    }
+}
+
+/// Calls function.operator()<width>().
+template <typename Function>
+void with_width(std::int32_t width, Function&& function) {
+    switch (width) {
+        case 1:
+            return function.template operator()<1>();
+        case 2:
+            return function.template operator()<2>();
+        case 3:
+            return function.template operator()<3>();
+        case group:
+            return function.template operator()<group>();
+        default:
+            throw std::logic_error("columns of a group");
     }
 }
 
 }  // namespace
 
-void solve_group(const double* L, std::int32_t width, std::int32_t rows, double* x) {
-    const std::ptrdiff_t leading = rows;
+std::int64_t group_size(std::int32_t width, std::int32_t rows) {
+    const std::int64_t chunks = (rows - width + chunk - 1) / chunk;
+    return triangle(width) + chunks * chunk * width;
+}
+
+void store_group(const double* columns, std::int64_t leading, std::int32_t width, std::int32_t rows,
+                 double* L) {
+    std::fill_n(L, group_size(width, rows), 0.0);
+    double* below = L + triangle(width);
     for (std::int32_t c = 0; c < width; ++c) {
-        x[c] /= L[c * leading + c];
-        for (std::int32_t r = c + 1; r < width; ++r) {
-            x[r] -= L[c * leading + r] * x[c];
-        }
-    }
-    if (width == group) {
-        subtract_columns(L + group, leading, rows - group, x, x + group);
-        return;
-    }
-    for (std::int32_t c = 0; c < width; ++c) {
+        const double* column = columns + c * leading;
+        std::copy_n(column + c, width - c, L + c * width + c);
+        L[c * width + c] = 1 / L[c * width + c];
         for (std::int32_t r = width; r < rows; ++r) {
-            x[r] -= L[c * leading + r] * x[c];
+            const std::int32_t i = r - width;
+            below[(i / chunk * width + c) * chunk + i % chunk] = column[r];
         }
     }
 }
 
+void solve_group(const double* L, std::int32_t width, std::int32_t rows, double* x) {
+    with_width(width, [&]<int columns>() { solve<columns>(L, rows, x); });
+}
+
 void solve_group_transposed(const double* L, std::int32_t width, std::int32_t rows, double* x) {
-    const std::ptrdiff_t leading = rows;
-    if (width == group) {
-        subtract_products(L + group, leading, rows - group, x + group, x);
-    } else {
-        for (std::int32_t c = 0; c < width; ++c) {
-            for (std::int32_t r = width; r < rows; ++r) {
-                x[c] -= L[c * leading + r] * x[r];
-            }
-        }
-    }
-    for (std::int32_t c = width - 1; c >= 0; --c) {
-        for (std::int32_t r = c + 1; r < width; ++r) {
-            x[c] -= L[c * leading + r] * x[r];
-        }
-        x[c] /= L[c * leading + c];
-    }
+    with_width(width, [&]<int columns>() { solve_transposed<columns>(L, rows, x); });
 }
 
 }  // namespace thermocontact::solve

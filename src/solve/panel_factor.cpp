@@ -17,7 +17,7 @@ constexpr int branch_count = 4;  ///< as many cores exhaust the memory of most m
 std::int64_t stored(std::int32_t columns, std::int32_t rows) {
     std::int64_t count = 0;
     for (std::int32_t c = 0; c < columns; c += group) {
-        count += static_cast<std::int64_t>(std::min(group, columns - c)) * (rows - c);
+        count += group_size(std::min(group, columns - c), rows - c);
     }
     return count;
 }
@@ -50,6 +50,14 @@ Branches cut(const Supernodes& supernodes, std::span<const std::int32_t> in_head
     return cut_into_branches(parents, weights, total < smallest_cut ? 1 : branch_count);
 }
 
+std::size_t numbers_in(const Supernodes& supernodes, std::span<const std::int32_t> in_head) {
+    std::int64_t count = 0;
+    for (std::size_t s = 0; s < in_head.size(); ++s) {
+        count += stored(in_head[s], static_cast<std::int32_t>(supernodes[s].rows.size()));
+    }
+    return static_cast<std::size_t>(count);
+}
+
 }  // namespace
 
 PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order,
@@ -79,7 +87,7 @@ PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int
     for (std::size_t i = 0; i < order_.size(); ++i) {
         order_[static_cast<std::size_t>(place[i])] = supernodes.order()[i];
     }
-    values_.reserve(supernodes.stored());
+    values_.reserve(numbers_in(supernodes, in_head));
     for (const std::vector<std::int32_t>& branch : cuts.branches) {
         branches_.push_back(store(supernodes, branch, in_head, place, first_outside_));
     }
@@ -98,10 +106,12 @@ PanelFactor::Branch PanelFactor::store(const Supernodes& supernodes, std::span<c
         const std::int32_t columns = in_head[at], rows = static_cast<std::int32_t>(supernode.rows.size());
         Panel panel{place[static_cast<std::size_t>(supernode.first)], columns, rows, entries(),
                     static_cast<std::int64_t>(rows_.size()),          0};
-        for (std::int32_t begin = 0; begin < columns; begin += group) {
-            for (std::int32_t c = begin; c < std::min(begin + group, columns); ++c) {
-                values_.insert(values_.end(), supernode.column(c) + begin, supernode.column(c) + rows);
-            }
+        values_.resize(values_.size() + static_cast<std::size_t>(stored(columns, rows)));
+        double* L = values_.data() + panel.values;
+        for (std::int32_t c = 0; c < columns; c += group) {
+            const std::int32_t width = std::min(group, columns - c);
+            store_group(supernode.column(c) + c, rows, width, rows - c, L);
+            L += group_size(width, rows - c);
         }
         for (const std::int32_t row : supernode.rows.subspan(static_cast<std::size_t>(columns))) {
             rows_.push_back(place[static_cast<std::size_t>(row)]);
@@ -111,7 +121,7 @@ PanelFactor::Branch PanelFactor::store(const Supernodes& supernodes, std::span<c
         most_rows = std::max(most_rows, supernode.rows.size());
     }
     branch.end = panels_.size();
-    branch.buffer.resize(most_rows);
+    branch.buffer.resize(most_rows + chunk);
     branch.outside.resize(static_cast<std::size_t>(size_ - end));
     return branch;
 }
@@ -137,7 +147,7 @@ void PanelFactor::forward(const Panel& panel, Branch& branch, std::vector<double
     for (std::int32_t c = 0; c < panel.columns; c += group) {
         const std::int32_t width = std::min(group, panel.columns - c);
         solve_group(L, width, panel.rows - c, local + c);
-        L += static_cast<std::ptrdiff_t>(width) * (panel.rows - c);
+        L += group_size(width, panel.rows - c);
     }
     std::copy_n(local, panel.columns, x.data() + panel.first_column);
     const std::int32_t* rows = rows_.data() + panel.below;
@@ -175,10 +185,11 @@ void PanelFactor::backward(const Panel& panel, Branch& branch, std::vector<doubl
     for (std::int32_t r = 0; r < below; ++r) {
         local[panel.columns + r] = x[static_cast<std::size_t>(rows[r])];
     }
+    std::fill_n(local + panel.rows, chunk, 0.0);
     const double* L = values_.data() + panel.values + stored(panel.columns, panel.rows);
     for (std::int32_t c = (panel.columns - 1) / group * group; c >= 0; c -= group) {
         const std::int32_t width = std::min(group, panel.columns - c);
-        L -= static_cast<std::ptrdiff_t>(width) * (panel.rows - c);
+        L -= group_size(width, panel.rows - c);
         solve_group_transposed(L, width, panel.rows - c, local + c);
     }
     std::copy_n(local, panel.columns, x.data() + panel.first_column);

@@ -1,8 +1,7 @@
 /// A sparse Cholesky factor stored for streaming: the triangular solves read each number of L once, in order.
 ///
 /// CHOLMOD computes L; its own solves call BLAS on many small panels and reach a third of the memory
-/// bandwidth. Here the columns of each supernode lie in groups of four without the rows above the diagonal,
-/// one after another.
+/// bandwidth. Here the columns of each supernode lie in groups of four (column_group.h), one after another.
 ///
 /// Supernodes of a large factor are sorted into branches of the elimination tree, which threads go through
 /// at the same time, and the trunk, which couples these. The order of all sums is that of the branches, so
@@ -46,7 +45,7 @@ class PanelFactor {
     /// L_tt L_tt^T, the Schur complement of the tail (dense, symmetric) [tail][tail].
     Eigen::MatrixXd schur_complement() const;
 
-    /// Numbers stored for L.
+    /// Numbers stored for L, the zeros that fill up groups among them.
     std::int64_t entries() const { return static_cast<std::int64_t>(values_.size()); }
 
   private:

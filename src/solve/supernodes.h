@@ -38,9 +38,6 @@ class Supernodes {
     std::size_t count() const { return factor_->nsuper; }
     Supernode operator[](std::size_t number) const;
 
-    /// Numbers stored, of the rows above the diagonal, too.
-    std::size_t stored() const { return factor_->xsize; }
-
   private:
     void require_pivots(const SymmetricMatrix& matrix) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
 
 namespace thermocontact::solve {
 
@@ -22,9 +23,14 @@ Workers::~Workers() {
     }
 }
 
+/// Where the system gives no more threads, those there are do the work.
 void Workers::start(int others) {
-    while (static_cast<int>(others_.size()) < others) {
-        others_.emplace_back([this] { wait_for_rounds(); });
+    try {
+        while (static_cast<int>(others_.size()) < others) {
+            others_.emplace_back([this] { wait_for_rounds(); });
+        }
+    } catch (const std::system_error&) {
+        threads_ = static_cast<int>(others_.size()) + 1;
     }
 }
 

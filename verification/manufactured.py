@@ -1,7 +1,7 @@
 """Manufactured solutions: the orders in space and time that the driver shows, against those of theory.
 
     python3 verification/manufactured.py [--study space|time ...] [--case NAME ...] [--cell NAME ...] [--degree P ...]
-                                         [--scheme NAME ...] [--program build/manufactured] [--output DIR] [--small]
+                                         [--scheme NAME ...] [--graded RATIO] [--program build/manufactured] [--output DIR] [--small]
 
 An exact u(x,t) and theta(x,t) is written in UFL (manufactured_parts/cases.py). UFL derives the loads, tractions and
 contact sources that make it exact from the equations in strong form, FFCx compiles them, and the program `manufactured`
@@ -49,6 +49,7 @@ def parse(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument(
         "--scheme", choices=SCHEMES, nargs="+", default=list(SCHEMES), help="of the study in time"
     )
+    parser.add_argument("--graded", type=float, default=1.0, metavar="RATIO", help="toward some of the sides")
     parser.add_argument("--program", type=Path, default=ROOT / "build" / "manufactured")
     parser.add_argument("--output", type=Path, metavar="DIR", help="where table and pictures go")
     parser.add_argument("--small", action="store_true", help="small PNGs only, for a README")
@@ -69,7 +70,12 @@ def measure(options: argparse.Namespace, lines: list[str]) -> list[Curve]:
     program = options.program.resolve()
     check_schemes(program.with_name("thermocontact"))
     series = all_curves(
-        Driver(program), options.study, options.case, options.cell, options.degree, options.scheme
+        Driver(program, options.graded),
+        options.study,
+        options.case,
+        options.cell,
+        options.degree,
+        options.scheme,
     )
     for curves in series:
         for scheme in dict.fromkeys(curve.scheme for curve in curves):

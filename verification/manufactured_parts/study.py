@@ -5,7 +5,7 @@ import math
 import subprocess
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from manufactured_parts.cases import CASES
@@ -85,11 +85,15 @@ def check_schemes(driver: Path) -> None:
 
 
 class Driver:
-    def __init__(self, program: Path) -> None:
+    """`ratio`: of meshes graded toward these sides, one of an axis alone and both of another; 1: uniform."""
+
+    def __init__(self, program: Path, ratio: float = 1.0) -> None:
         self.program = program
+        self.grading = {f"grading.{side}": ratio for side in ("left", "bottom", "top")}
 
     def errors(self, study: str, case: str, at: Resolution) -> Mapping[str, float]:
         """Norms of the errors at the end. Raises RunFailed."""
+        at = replace(at, cell=replace(at.cell, mesh={**at.cell.mesh, **self.grading}))
         with tempfile.TemporaryDirectory(prefix="manufactured-") as folder:
             path = Path(folder) / "scene.toml"
             path.write_text(scene(study, case, at), encoding="utf-8")

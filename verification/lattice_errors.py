@@ -11,7 +11,7 @@ Gmsh file, may be of any form.
     body = Body(fine.mesh)
     body.norms(coarse, fine)     [time, norm]: ||w - w'||_L2, ||eps(u - u')||_L2, ||theta - theta'||_L2
 
-A field that the results do not have counts 0. The norms are those of E_hk (MODEL.md, 2).
+A field that the results do not have counts 0. The norms are those of the paper's E_hk (its Figure 5).
 """
 
 from collections.abc import Mapping, Sequence

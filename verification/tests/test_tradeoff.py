@@ -18,7 +18,7 @@ from tradeoff_parts.bounds import LEAST, bound
 from tradeoff_parts.choice import SOURCES, Coupling, Quadrature, Regularisation, Time
 from tradeoff_parts.facts import Facts, absent, hindrances
 from tradeoff_parts.measure import Error, Point, chain
-from tradeoff_parts.plan import Configuration, Knob, Plan, as_it_is, knobs
+from tradeoff_parts.plan import EXACT, Configuration, Knob, Plan, as_it_is, knobs
 from tradeoff_parts.prices import below_theory, front, prices
 from tradeoff_parts.runs import Seconds
 from under_test import DRIVER, ROOT
@@ -35,6 +35,8 @@ FACTS = Facts(
     outputs=8,
     states_step=False,
     regularisation={"bottom": 1e-3},
+    exact=False,
+    may_be_exact=True,
     contacts=("bottom",),
     fields=("displacement", "velocity", "temperature"),
     coupled=True,
@@ -143,7 +145,8 @@ class PlanTest(unittest.TestCase):
             assert choice.space.cells and best.space.cells
             self.assertLessEqual(choice.space.cells, best.space.cells)
             self.assertLessEqual(2 * choice.time.steps, best.time.steps)
-            self.assertGreaterEqual(choice.regularisation.factor, 10 * best.regularisation.factor)
+            if of.knob != EXACT:
+                self.assertGreaterEqual(choice.regularisation.factor, 10 * best.regularisation.factor)
             self.assertGreaterEqual(choice.solver.tolerance, best.solver.tolerance)
 
     def test_every_scheme_and_every_count_is_whole_outputs(self) -> None:
@@ -183,6 +186,18 @@ class PlanTest(unittest.TestCase):
         self.assertEqual(Plan(bare).gradings(), [])
         self.assertEqual(Plan(dataclasses.replace(FACTS, graded=False)).gradings(), [])
         self.assertEqual(Plan(FACTS).gradings()[0], (1.0,) * 4)
+
+    def test_coulombs_law_itself(self) -> None:
+        """Has no rule above 4: neither where it is turned on, nor anywhere in a scene that has it."""
+        turned = [of.choice for of in Plan(FACTS).configurations() if of.knob == EXACT]
+        self.assertEqual([(of.regularisation.factor, of.quadrature.rule) for of in turned], [(0.0, 4)])
+        self.assertNotIn(
+            EXACT, {of.knob for of in Plan(dataclasses.replace(FACTS, may_be_exact=False)).configurations()}
+        )
+        plan = Plan(dataclasses.replace(FACTS, exact=True, regularisation={}))
+        coarser = [choice for _, _, choices in plan.coarser().values() for choice in choices]
+        for choice in [plan.reference(), *coarser, *(of.choice for of in plan.configurations())]:
+            self.assertIn(choice.quadrature.rule, (None, 2, 4, "vertex"))
 
     def test_what_hinders_theory(self) -> None:
         resolved: dict[str, Any] = {

@@ -10,6 +10,7 @@ from typing import Any
 
 OUTPUTS = 8  # times at which results are compared, at most
 SIDES = {2: ("left", "right", "bottom", "top"), 3: ("left", "right", "bottom", "top", "front", "back")}
+REGULARISATION = "boundary.NAME.contact.friction.regularisation"
 
 
 class Unfit(Exception):
@@ -27,7 +28,9 @@ class Facts:
     end: float
     outputs: int
     states_step: bool  # time.step stands in the scene in place of time.steps
-    regularisation: Mapping[str, float]  # by side with friction
+    regularisation: Mapping[str, float]  # by side with regularised friction
+    exact: bool  # one of these is Coulomb's law itself, regularisation 0
+    may_be_exact: bool  # the schema has it
     contacts: tuple[str, ...]
     fields: tuple[str, ...]  # that norms are taken of
     coupled: bool
@@ -87,6 +90,8 @@ def facts_of(
         outputs=max(count for count in range(1, OUTPUTS + 1) if steps % count == 0),
         states_step="step" in stated["time"],
         regularisation={side: epsilon for side, epsilon in frictions.items() if epsilon > 0},
+        exact=any(epsilon == 0 for epsilon in frictions.values()),
+        may_be_exact=not schema[REGULARISATION]["range"]["low_open"],
         contacts=tuple(contacts),
         fields=("displacement", "velocity") * moves + ("temperature",) * warms,
         coupled=moves and warms,
@@ -119,6 +124,8 @@ def absent(facts: Facts) -> list[str]:
         lines.append("contact quadrature: the scene has no contact")
     if not facts.regularisation:
         lines.append("epsilon: the scene has no regularised friction")
+    elif not facts.may_be_exact:
+        lines.append("exact Coulomb: this driver asks for a regularisation above 0")
     if not facts.coupled:
         lines.append("coupling: the scene has not both momentum and heat")
     lines.append("precision of the factor: the schema has no key for it")

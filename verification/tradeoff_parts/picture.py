@@ -16,6 +16,7 @@ FAMILIES: tuple[tuple[str, tuple[str, ...], str], ...] = (  # of knobs: how thei
     ("mesh", ("#00441b", "#238b45", "#74c476"), "sDP"),
     ("degree", ("#238b45",), "D"),
     ("epsilon", ("#e7298a",), "X"),
+    ("exact Coulomb", ("#980043",), "*"),
     ("contact quadrature", ("#7b4fa3",), "p"),
     ("Newton", ("#b5b500",), "h"),
     ("coupling", ("#8c564b",), "d"),

@@ -8,7 +8,9 @@ from tradeoff_parts.facts import Facts
 
 DEFAULT, PAPER, BARGAIN = "the scene as it is", "the paper's h = k", "bargains"
 FINE, FINER = 4.0, 16.0  # ratios of the grading at a side, tried for the reference
+REFINED = {0: 16, 2: 32, 3: 16}  # the reference's steps over the scene's, by dimension (0: a mesh of a file)
 COARSER = (2.0, 4.0)  # by what the reference's h and k are made coarser
+EXACT_RULE = 4  # the finest one that goes with Coulomb's law itself
 TIGHT = 1e-12  # Newton's relative residual in all that is not about it
 TIGHT_COUPLING = 1e-6
 BASE_COUPLING = 1e-3
@@ -47,7 +49,7 @@ def lagged_knob(scheme: str) -> str:
 
 
 MESH_1, MESH_2, GRADED = "mesh, degree 1", "mesh, degree 2", "mesh, degree 2, graded"
-DEGREE, EPSILON, RULE = "degree", "epsilon", "contact quadrature"
+DEGREE, EPSILON, EXACT, RULE = "degree", "epsilon", "exact Coulomb", "contact quadrature"
 NEWTON, ITERATED, STRATEGY = "Newton tolerance", "coupling tolerance", "strategy"
 
 
@@ -71,6 +73,7 @@ def knobs(facts: Facts) -> Mapping[str, Knob]:
         GRADED: Knob("space", (3.0, 2.0, 3.0)),
         DEGREE: Knob("space", why="two degrees on one mesh: no order"),
         EPSILON: Knob("regularisation", (1.0, 1.0, 1.0)),
+        EXACT: Knob("regularisation", why="the limit itself"),
         RULE: Knob("quadrature", why=kinks),
         NEWTON: Knob("solver", (1.0, 1.0, 1.0)),
         ITERATED: Knob("coupling", (1.0, 1.0, 1.0)),
@@ -135,6 +138,11 @@ class Plan:
         return tried
 
     @property
+    def best_rule(self) -> int:
+        """Of the contact integrals: the schema's finest, of Coulomb's law itself the finest that it has."""
+        return EXACT_RULE if self.facts.exact else 9
+
+    @property
     def second_order(self) -> str:
         return PREFERRED if PREFERRED in self.facts.schemes else self.facts.schemes[-1]
 
@@ -143,15 +151,15 @@ class Plan:
         return Choice(
             Solver(TIGHT, "auto"),
             Coupling(TIGHT_COUPLING),
-            Time(self.second_order, 16 * self.finer * self.facts.steps),
+            Time(self.second_order, REFINED[self.facts.dimension] * self.finer * self.facts.steps),
             Regularisation(0.01),
-            Quadrature(9 if self.facts.contacts else None),
+            Quadrature(self.best_rule if self.facts.contacts else None),
             Space(self.finest(), 2, self.grading),
         )
 
     def coarser(self) -> Mapping[str, tuple[Sequence[float], float, list[Choice]]]:
         """For each source: ratios to the reference, theory's order in the worst of the norms, the reference made coarser
-        by these, once or twice. The contact rule has no order; 3 points in place of 5 count as a ratio of 5/3, of order 1.
+        by these, once or twice. The contact rule has no order; 3 points in place of 5 (2 of 3) count as a ratio of 5/3, of order 1.
         """
         best = self.reference()
         time, space = best.time, best.space
@@ -165,7 +173,11 @@ class Plan:
                 1.0,
                 [replace(best, regularisation=Regularisation(factor)) for factor in (0.1, 1.0)],
             ),
-            "quadrature": ([5 / 3], 1.0, [replace(best, quadrature=Quadrature(4))]),
+            "quadrature": (
+                [5 / 3],
+                1.0,
+                [replace(best, quadrature=Quadrature(4 if self.best_rule > 4 else 2))],
+            ),
         }
         if self.facts.cells:
             meshes = [replace(space, cells=self.finest(coarser)) for coarser in COARSER]
@@ -185,7 +197,7 @@ class Plan:
             Coupling(BASE_COUPLING),
             Time(self.second_order, 4 * self.facts.steps),
             Regularisation(0.1),
-            Quadrature(9 if self.facts.contacts else None),
+            Quadrature(self.best_rule if self.facts.contacts else None),
             Space(
                 scaled(self.facts.cells, self.sizes[1] if self.facts.dimension == 2 else 1.0), 2, self.grading
             ),
@@ -242,7 +254,10 @@ class Plan:
         base = self.base()
         for factor in (10.0, 1.0, 0.1) if self.facts.regularisation else ():
             yield Configuration(EPSILON, factor, replace(base, regularisation=Regularisation(factor)))
-        for rule in (2, 4, 6, 9) if self.facts.contacts else ():
+        if self.facts.regularisation and self.facts.may_be_exact:
+            exact = replace(base, regularisation=Regularisation(0.0), quadrature=Quadrature(EXACT_RULE))
+            yield Configuration(EXACT, 1.0, exact)
+        for rule in [rule for rule in (2, 4, 6, 9) if rule <= self.best_rule] if self.facts.contacts else []:
             yield Configuration(RULE, 1 / (rule // 2 + 1), replace(base, quadrature=Quadrature(rule)))
         if self.facts.contacts:
             yield Configuration(RULE, 1 / 2, replace(base, quadrature=Quadrature("vertex")))

@@ -88,6 +88,9 @@ def others(outputs: int) -> tuple[Configuration, ...]:
         graded((16, 12), (10, 10, 8, 20), outputs, "simplex", **euler),
         graded((8, 6), low, outputs, **bdf2),
         graded((8, 6), low, outputs, **bdf2, **loose),
+        graded((8, 6), low, outputs, **bdf2, solver__tolerance=1e-3),
+        graded((8, 6), low, outputs, "simplex", **bdf2, **loose),
+        graded((10, 6), (4, 4, 8, 20), outputs, "simplex", **bdf2, **loose),
         graded((10, 6), high, outputs, **bdf2, **loose),
         graded((8, 6), low, 2 * outputs, **bdf2, **loose),
         graded((10, 6), high, 2 * outputs, **bdf2, **loose),
@@ -95,6 +98,7 @@ def others(outputs: int) -> tuple[Configuration, ...]:
         graded((10, 6), high, outputs, **euler, **loose),
         graded((12, 8), low, outputs, **euler),
         graded((12, 8), low, outputs, **euler, **loose),
+        graded((12, 8), low, outputs, **euler, solver__tolerance=1e-3),
         graded((12, 10), low, outputs, **euler, **loose),
         graded((14, 10), CORNERS, outputs, **euler, **loose),
         graded((16, 12), CORNERS, outputs, **euler, **loose),
@@ -111,6 +115,7 @@ def interactive() -> tuple[Configuration, ...]:
         graded((12, 8), (6, 6, 8, 20), 32, **loose),
         graded((12, 8), (6, 6, 8, 20), 64, **loose),
         graded((24, 18), (10, 10, 16, 80), 64, **loose),
+        graded((16, 12), (10, 10, 8, 40), 32, **loose),
         graded((32, 24), (10, 10, 16, 80), 128, **loose),
     )
 

@@ -9,6 +9,8 @@
 #include "app/check.h"
 #include "app/exit_code.h"
 #include "app/heap.h"
+#include "app/plan.h"
+#include "app/planned_run.h"
 #include "app/run.h"
 #include "error.h"
 #include "output/summary.h"
@@ -21,7 +23,11 @@ namespace {
 using namespace thermocontact;
 
 int execute(const app::RunCommand& command, const parallel::Backend* backend) {
-    return app::run(command, backend);
+    return command.request ? app::planned_run(command, backend) : app::run(command, backend);
+}
+
+int execute(const app::PlanCommand& command, const parallel::Backend* backend) {
+    return app::plan(command, backend);
 }
 
 int execute(const app::CheckCommand& command, const parallel::Backend*) {

@@ -107,6 +107,36 @@ class ExitCodes(unittest.TestCase):
         for words in (("schema",), ("--version",), ("--help",)):
             self.assertNotEqual(self.call(COMPLETED, *words).stdout, "")
 
+    def test_planned(self) -> None:
+        stdout = self.call(
+            COMPLETED,
+            "run",
+            SCENE,
+            "--output",
+            self.results,
+            "--accuracy",
+            "0.3",
+            "--set",
+            "output.fields=[]",
+        ).stdout
+        for word in ("asked ", "chosen ", "achieved ", "time "):
+            self.assertIn("\n" + word, "\n" + stdout)
+        plan = self.summary()["plan"]
+        assert isinstance(plan, dict)
+        self.assertLessEqual(plan["predicted"]["error"], 0.3)
+        self.assertGreater(plan["achieved"]["error"], 0.0)
+        self.assertEqual(self.summary()["steps"], plan["predicted"]["steps"])
+        self.assertIn(f"time.steps={plan['predicted']['steps']}", plan["settings"])
+
+    def test_plan_that_cannot_be_met(self) -> None:
+        """The literal data converge too slowly for that; nothing is written."""
+        asked = ("--accuracy", "1e-6", "--output", self.results)
+        message = self.call(NUMERICS_FAILED, "run", SCENE, *asked, "--budget", "2s").stderr
+        self.assert_says(message, "cannot be promised", "nothing was run")
+        self.assertFalse(self.results.exists())
+        for words in (("--accuracy", "0"), ("--budget", "-3s"), ("--of", "norms")):
+            self.assert_says(self.call(BAD_INPUT, "plan", SCENE, *words).stderr, words[0])
+
     def test_where_results_go(self) -> None:
         self.call(COMPLETED, "run", SCENE, *SMALL)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["paper-isotropic-results"])

@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 
 #include "error.h"
+#include "plan/duration.h"
 #include "scene/text.h"
 
 namespace thermocontact::app {
@@ -18,6 +20,7 @@ struct Words {
     std::string scene;
     std::string output;
     std::string restart;
+    std::string accuracy, budget, of = "norms";
     std::vector<std::string> overrides;
     std::string format = "toml";
     bool quiet = false;
@@ -27,12 +30,14 @@ struct Words {
 struct Parser {
     CLI::App app{"Dynamic contact with friction and heat in a thermo-viscoelastic body.", "thermocontact"};
     CLI::App* run = nullptr;
+    CLI::App* plan = nullptr;
     CLI::App* check = nullptr;
     CLI::App* schema = nullptr;
     Words words;
 
     Parser();
     void add_scene(CLI::App& command);
+    void add_request(CLI::App& command);
 };
 
 Parser::Parser() {
@@ -48,6 +53,11 @@ Parser::Parser() {
     run->add_option("--restart", words.restart, "Checkpoint of this scene to go on from")
         ->type_name("CHECKPOINT");
     run->add_flag("--quiet", words.quiet, "Print errors only");
+    add_request(*run);
+
+    plan = app.add_subcommand("plan", "Choose mesh, degree, scheme and steps for an accuracy or a time");
+    add_scene(*plan);
+    add_request(*plan);
 
     check = app.add_subcommand("check", "Validate a scene and print the physics found");
     add_scene(*check);
@@ -65,6 +75,14 @@ void Parser::add_scene(CLI::App& command) {
         ->expected(1)
         ->take_all()
         ->allow_extra_args(false);
+}
+
+void Parser::add_request(CLI::App& command) {
+    command.add_option("--accuracy", words.accuracy, "Relative error to keep to, between 0 and 1")
+        ->type_name("NUMBER");
+    command.add_option("--budget", words.budget, "Time to keep to, as 30s, 5m or 2h")->type_name("TIME");
+    command.add_option("--of", words.of, "What is to be accurate: " + one_of(plan::quantity_names()))
+        ->type_name("QUANTITY");
 }
 
 std::vector<std::string> option_names(const CLI::App& command) {
@@ -138,6 +156,61 @@ std::optional<std::filesystem::path> restart_of(const CLI::App& run, const Words
     return words.restart.empty() ? std::nullopt : std::optional<std::filesystem::path>(words.restart);
 }
 
+double accuracy_of(const std::string& word, const std::string& of) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size() || !(value > 0 && value < 1)) {
+        throw SceneError(of + ": --accuracy: expected a number above 0 and below 1, as 1e-3, found \"" +
+                         one_line(word) + '"');
+    }
+    return value;
+}
+
+/// Nothing where nothing is asked for.
+std::optional<plan::Request> request_of(const CLI::App& command, const Words& words) {
+    const std::string& of = command.get_name();
+    const auto given = [&](const char* option) { return command.get_option(option)->count() > 0; };
+    plan::Request request{{}, {}, plan::quantity_of(words.of)};
+    if (given("--accuracy")) {
+        request.accuracy = accuracy_of(words.accuracy, of);
+    }
+    if (given("--budget")) {
+        request.budget = plan::parse_duration(words.budget);
+        if (!request.budget) {
+            throw SceneError(of + ": --budget: expected a time above 0, as 30s, 5m or 2h, found \"" +
+                             one_line(words.budget) + '"');
+        }
+    }
+    if (request.accuracy || request.budget) {
+        return request;
+    }
+    if (given("--of")) {
+        throw SceneError(of + ": --of needs --accuracy or --budget");
+    }
+    return std::nullopt;
+}
+
+PlanCommand plan_command(const CLI::App& command, const Words& words) {
+    const auto scene = scene_of(command, words);
+    const std::optional<plan::Request> request = request_of(command, words);
+    if (!request) {
+        throw SceneError("plan: nothing asked for; expected --accuracy, as 1e-3, or --budget, as 30s");
+    }
+    return {scene, words.overrides, *request};
+}
+
+RunCommand run_command(const CLI::App& command, const Words& words) {
+    const auto scene = scene_of(command, words);
+    RunCommand run{scene,       output_of(command, words),  words.overrides,
+                   words.quiet, restart_of(command, words), request_of(command, words)};
+    if (run.request && run.restart) {
+        throw SceneError(
+            "run: --restart goes on with the discretisation of its checkpoint; leave out --accuracy "
+            "and --budget");
+    }
+    return run;
+}
+
 Command command_of(const Parser& parser) {
     const Words& words = parser.words;
     const auto commands = parser.app.get_subcommands();
@@ -148,16 +221,17 @@ Command command_of(const Parser& parser) {
         return VersionCommand{};
     }
     if (commands.empty()) {
-        throw SceneError("no command given; expected \"run\", \"check\" or \"schema\", or --help");
+        throw SceneError("no command given; expected \"run\", \"plan\", \"check\" or \"schema\", or --help");
     }
     const CLI::App& command = *commands.front();
     if (const auto extras = parser.app.remaining(true); !extras.empty()) {
         fail_extra(command, extras.front());
     }
     if (&command == parser.run) {
-        const auto scene = scene_of(command, words);
-        return RunCommand{scene, output_of(command, words), words.overrides, words.quiet,
-                          restart_of(command, words)};
+        return run_command(command, words);
+    }
+    if (&command == parser.plan) {
+        return plan_command(command, words);
     }
     if (&command == parser.check) {
         return CheckCommand{scene_of(command, words), words.overrides};

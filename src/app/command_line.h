@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "plan/request.h"
+
 namespace thermocontact::app {
 
 struct RunCommand {
@@ -16,6 +18,13 @@ struct RunCommand {
     std::vector<std::string> overrides;  ///< "KEY=VALUE", in the order given
     bool quiet = false;
     std::optional<std::filesystem::path> restart = {};  ///< a checkpoint to go on from
+    std::optional<plan::Request> request = {};          ///< the discretisation is planned for it
+};
+
+struct PlanCommand {
+    std::filesystem::path scene;
+    std::vector<std::string> overrides;
+    plan::Request request;
 };
 
 struct CheckCommand {
@@ -33,7 +42,8 @@ struct HelpCommand {
     std::string text;
 };
 
-using Command = std::variant<RunCommand, CheckCommand, SchemaCommand, VersionCommand, HelpCommand>;
+using Command =
+    std::variant<RunCommand, PlanCommand, CheckCommand, SchemaCommand, VersionCommand, HelpCommand>;
 
 /// Throws SceneError with one line that says what is wrong and names the nearest command or option.
 Command parse_command_line(int argc, const char* const* argv);

@@ -40,4 +40,10 @@ int caught_signal() {
     return caught;
 }
 
+void throw_if_interrupted() {
+    if (const int signal = caught_signal(); signal != 0) {
+        throw Interrupted{signal};
+    }
+}
+
 }  // namespace thermocontact::app

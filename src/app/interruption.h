@@ -10,4 +10,12 @@ void catch_interruptions();
 /// The signal that came first, 0: none.
 int caught_signal();
 
+/// What work that writes no results is ended by.
+struct Interrupted {
+    int signal;
+};
+
+/// Throws Interrupted once a signal came.
+void throw_if_interrupted();
+
 }  // namespace thermocontact::app

@@ -20,7 +20,7 @@ namespace {
 
 /// Marches until the end or a signal; returns the signal, or 0.
 int march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress,
-             output::Seconds& seconds, const parallel::Backend* backend) {
+             output::Seconds& seconds, const parallel::Backend* backend, const RunWatch* watch) {
     int signal = static_cast<int>(simulation.team().max(caught_signal()));
     while (!simulation.finished() && signal == 0) {
         timed(seconds.steps, [&] {
@@ -29,7 +29,11 @@ int march_on(march::Simulation& simulation, output::Results& results, output::Pr
         });
         timed(seconds.output, [&] {
             const parallel::Phase phase(backend, "output");
-            progress.step(simulation, results.add_step());
+            const march::Record row = results.add_step();
+            progress.step(simulation, row);
+            if (watch != nullptr) {
+                watch->step(simulation, row);
+            }
             // not all catch a signal in the same step, and the first process says when a checkpoint is due
             std::array<double, 2> heard{static_cast<double>(caught_signal()),
                                         results.checkpoint_is_due() ? 1.0 : 0.0};
@@ -70,7 +74,7 @@ std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const RunC
 
 }  // namespace
 
-int run(const RunCommand& command, const parallel::Backend* backend) {
+int run(const RunCommand& command, const parallel::Backend* backend, const RunWatch* watch) {
     const double start = process_age();
     const Stopwatch since_start;
     const scene::Scene scene = scene::read_scene(command.scene, command.overrides);
@@ -104,11 +108,12 @@ int run(const RunCommand& command, const parallel::Backend* backend) {
         seconds.total = start + since_start.seconds();
         seconds.steps -= simulation->factor_seconds() - seconds.factor;  // for step sizes met on the way
         seconds.factor = simulation->factor_seconds();
-        results.finish(status, reason, seconds);
+        const bool planned = watch != nullptr && simulation->finished();
+        results.finish(status, reason, seconds, planned ? watch->end(seconds) : nlohmann::ordered_json{});
     };
     int signal = 0;
     try {
-        signal = march_on(*simulation, results, progress, seconds, backend);
+        signal = march_on(*simulation, results, progress, seconds, backend, watch);
     } catch (const NumericsError& error) {
         finish("failed", error.what());
         throw;

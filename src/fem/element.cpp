@@ -8,6 +8,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "fem/shape_values.h"
+
 namespace thermocontact::fem {
 namespace {
 
@@ -82,6 +84,12 @@ LagrangeElement make_lagrange(const std::string& cell, int degree) {
             element.entity_dofs(),
             basix::cell::topology(type),
             element.entity_closure_dofs()[dimension - 1]};
+}
+
+std::vector<double> shape_values(const std::string& cell, int degree, std::span<const double> points) {
+    const auto type = cell_type(cell);
+    const auto dimension = static_cast<std::size_t>(basix::cell::topological_dimension(type));
+    return create(type, degree).tabulate(0, points, {points.size() / dimension, dimension}).first;
 }
 
 }  // namespace thermocontact::fem

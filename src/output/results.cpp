@@ -200,8 +200,12 @@ void Results::write_fields() {
     last_fields_ = step;
 }
 
-void Results::finish(const std::string& status, const std::string& reason, const Seconds& seconds) {
-    const nlohmann::ordered_json content = summary(*scene_, *simulation_, status, reason, seconds);
+void Results::finish(const std::string& status, const std::string& reason, const Seconds& seconds,
+                     const nlohmann::ordered_json& plan) {
+    nlohmann::ordered_json content = summary(*scene_, *simulation_, status, reason, seconds);
+    if (!plan.is_null()) {
+        content["plan"] = plan;
+    }
     told([&] { if_first([&] { write_whole(folder() / "summary.json", content.dump(2) + "\n"); }); });
 }
 

@@ -43,8 +43,9 @@ class Results {
     void add_checkpoint();
 
     /// Writes summary.json; `status` is "completed", "failed" or "interrupted", `reason` empty when
-    /// completed.
-    void finish(const std::string& status, const std::string& reason, const Seconds& seconds);
+    /// completed; `plan`, unless null, is what the run was planned for.
+    void finish(const std::string& status, const std::string& reason, const Seconds& seconds,
+                const nlohmann::ordered_json& plan = {});
 
   private:
     const std::filesystem::path& folder() const { return claim_.path(); }

@@ -70,10 +70,11 @@ TEST(CommandLine, VersionAndHelp) {
 }
 
 TEST(CommandLine, MistakesInTheCommand) {
-    EXPECT_EQ(message({}), "no command given; expected \"run\", \"check\" or \"schema\", or --help");
+    EXPECT_EQ(message({}),
+              "no command given; expected \"run\", \"plan\", \"check\" or \"schema\", or --help");
     EXPECT_EQ(message({"rnu", "a.toml"}), "unknown command \"rnu\"; did you mean \"run\"?");
     EXPECT_EQ(message({"simulate"}),
-              "unknown command \"simulate\"; expected \"run\", \"check\" or \"schema\"");
+              "unknown command \"simulate\"; expected \"run\", \"plan\", \"check\" or \"schema\"");
     EXPECT_EQ(message({"--verison"}),
               "unknown option \"--verison\" before the command; did you mean \"--version\"?");
     EXPECT_EQ(message({"--quiet", "run", "a.toml"}),
@@ -83,10 +84,9 @@ TEST(CommandLine, MistakesInTheCommand) {
 TEST(CommandLine, MistakesInOptions) {
     EXPECT_EQ(message({"run", "a.toml", "--outptu", "d"}),
               "run: unknown option \"--outptu\"; did you mean \"--output\"?");
-    EXPECT_EQ(
-        message({"run", "a.toml", "--begin=c"}),
-        "run: unknown option \"--begin\"; expected \"--help\", \"--set\", \"--output\", \"--restart\" or "
-        "\"--quiet\"");
+    EXPECT_EQ(message({"run", "a.toml", "--begin=c"}),
+              "run: unknown option \"--begin\"; expected \"--help\", \"--set\", \"--output\", \"--restart\", "
+              "\"--quiet\", \"--accuracy\", \"--budget\" or \"--of\"");
     EXPECT_EQ(message({"run", "a.toml", "--restart", ""}),
               "run: --restart: expected a checkpoint file, found an empty name");
     EXPECT_EQ(message({"check", "a.toml", "--quiet"}),
@@ -99,6 +99,47 @@ TEST(CommandLine, MistakesInOptions) {
               std::string::npos);
     EXPECT_EQ(message({"run", "a.toml", "--output", ""}),
               "run: --output: expected a directory, found an empty name");
+}
+
+TEST(CommandLine, Plan) {
+    const auto plan = as<PlanCommand>({"plan", "a.toml", "--accuracy", "1e-3", "--set", "time.end=2"});
+    EXPECT_EQ(plan.scene, "a.toml");
+    EXPECT_EQ(plan.overrides, (std::vector<std::string>{"time.end=2"}));
+    EXPECT_EQ(plan.request.accuracy, 1e-3);
+    EXPECT_FALSE(plan.request.budget);
+    EXPECT_EQ(plan.request.of, plan::Quantity::norms);
+    const auto timed = as<PlanCommand>({"plan", "a.toml", "--budget=5m", "--of", "contact_force"});
+    EXPECT_FALSE(timed.request.accuracy);
+    EXPECT_EQ(timed.request.budget, 300);
+    EXPECT_EQ(timed.request.of, plan::Quantity::contact_force);
+}
+
+TEST(CommandLine, RunAsAskedFor) {
+    EXPECT_FALSE(as<RunCommand>({"run", "a.toml"}).request);
+    const auto run = as<RunCommand>({"run", "a.toml", "--accuracy", "0.1", "--budget", "30s"});
+    ASSERT_TRUE(run.request);
+    EXPECT_EQ(run.request->accuracy, 0.1);
+    EXPECT_EQ(run.request->budget, 30);
+}
+
+TEST(CommandLine, MistakesInWhatIsAskedFor) {
+    EXPECT_EQ(message({"plan", "a.toml"}),
+              "plan: nothing asked for; expected --accuracy, as 1e-3, or --budget, as 30s");
+    for (const char* bad : {"0", "-1e-3", "1", "2", "x", "1e-3x", "", "nan", "inf"}) {
+        EXPECT_EQ(message({"plan", "a.toml", "--accuracy", bad}),
+                  "plan: --accuracy: expected a number above 0 and below 1, as 1e-3, found \"" +
+                      std::string(bad) + '"');
+    }
+    EXPECT_EQ(message({"run", "a.toml", "--budget", "30x"}),
+              "run: --budget: expected a time above 0, as 30s, 5m or 2h, found \"30x\"");
+    EXPECT_NE(message({"plan", "a.toml", "--accuracy", "1e-2", "--of", "peak_presure"})
+                  .find("did you mean \"peak_pressure\"?"),
+              std::string::npos);
+    EXPECT_EQ(message({"run", "a.toml", "--of", "norms"}), "run: --of needs --accuracy or --budget");
+    EXPECT_NE(message({"plan", "a.toml", "--acuracy", "1"}).find("did you mean \"--accuracy\"?"),
+              std::string::npos);
+    EXPECT_NE(message({"run", "a.toml", "--accuracy", "0.1", "--restart", "c"}).find("--restart"),
+              std::string::npos);
 }
 
 TEST(CommandLine, MistakesInArguments) {

@@ -1,6 +1,21 @@
 """All mutations, room by room."""
 
-from . import adaptive, app, fem, forms, march, mesh, model, multigrid, output, parallel, scene, solve, theory
+from . import (
+    adaptive,
+    app,
+    fem,
+    forms,
+    march,
+    mesh,
+    model,
+    multigrid,
+    output,
+    parallel,
+    plan,
+    scene,
+    solve,
+    theory,
+)
 from .mutation import Mutation
 
 MUTATIONS: tuple[Mutation, ...] = (
@@ -17,5 +32,6 @@ MUTATIONS: tuple[Mutation, ...] = (
     *output.MUTATIONS,
     *theory.MUTATIONS,
     *parallel.MUTATIONS,
+    *plan.MUTATIONS,
     *app.MUTATIONS,
 )

@@ -1,0 +1,77 @@
+#include "app/planned_run.h"
+
+#include <iostream>
+
+#include "app/exit_code.h"
+#include "app/interruption.h"
+#include "app/run.h"
+#include "error.h"
+#include "parallel/together.h"
+#include "plan/achieved.h"
+#include "plan/report.h"
+
+namespace thermocontact::app {
+namespace {
+
+/// The run is complete, whatever becomes of the pilot that it is compared with.
+std::optional<plan::Achieved> judge(const plan::Plan& plan, plan::Bench& bench, const plan::Pilot& run) {
+    try {
+        return plan::achieved(plan, bench, run);
+    } catch (const Interrupted&) {
+        return std::nullopt;
+    } catch (const parallel::BackendNeeded&) {
+        return std::nullopt;
+    }
+}
+
+/// Runs what is chosen, compares it with the pilots, and reports.
+int carry_out(const plan::Plan& plan, plan::Bench& bench, const RunCommand& command,
+              const parallel::Backend* backend) {
+    RunCommand chosen = command;
+    chosen.request.reset();
+    chosen.overrides.insert(chosen.overrides.end(), plan.settings.begin(), plan.settings.end());
+    const plan::Discretisation discretisation = plan.chosen->discretisation;
+    plan::Recorder recorder(command.request->of, discretisation.steps);
+    const RunWatch watch{
+        [&](march::Simulation& simulation, const march::Record& row) { recorder.note(simulation, row); },
+        [&](const output::Seconds& seconds) {
+            const plan::Pilot run{discretisation, recorder.frames(), {}, recorder.damped()};
+            const double taken = seconds.setup + seconds.factor + seconds.steps + seconds.output;
+            const std::optional<plan::Achieved> achieved = judge(plan, bench, run);
+            if (!command.quiet) {
+                std::cout << plan::text(plan, taken, achieved);
+            }
+            return plan::to_json(plan, taken, achieved);
+        }};
+    return run(chosen, backend, &watch);
+}
+
+}  // namespace
+
+int planned_run(const RunCommand& command, const parallel::Backend* backend) {
+    if (parallel::team_of(backend).size() > 1) {
+        throw SceneError(
+            "run: --accuracy and --budget plan on one process; start without mpirun, or run what "
+            "\"plan\" prints");
+    }
+    catch_interruptions();
+    try {
+        plan::Bench bench({command.scene, command.overrides}, command.request->of, backend,
+                          throw_if_interrupted);
+        const plan::Plan plan = plan::Planner(bench, *command.request, true).make();
+        if (!plan.chosen) {
+            throw NumericsError("run: " + plan.refusal + "; nothing was run; \"plan\" tells what can be had");
+        }
+        if (!command.quiet) {
+            std::cout << plan::text(plan, command.scene.string());
+        }
+        return carry_out(plan, bench, command, backend);
+    } catch (const parallel::BackendNeeded&) {
+        parallel::continue_with_petsc();
+    } catch (const Interrupted& interrupted) {
+        std::cerr << "thermocontact: interrupted while planning\n";
+        return exit_of_signal(interrupted.signal);
+    }
+}
+
+}  // namespace thermocontact::app

@@ -1,0 +1,22 @@
+/// What became of a plan.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "plan/bench.h"
+#include "plan/planner.h"
+
+namespace thermocontact::plan {
+
+/// The error of a run is estimated from what it differs by from a pilot of half the cells and half the steps:
+/// the models say which share of that difference the run errs by itself.
+struct Achieved {
+    std::vector<double> errors;  ///< [components], relative, estimated
+    double error;                ///< the largest
+};
+
+/// Runs the pilot if the plan has not; nothing where it fails.
+std::optional<Achieved> achieved(const Plan& plan, Bench& bench, const Pilot& run);
+
+}  // namespace thermocontact::plan

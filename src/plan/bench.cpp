@@ -1,0 +1,78 @@
+#include "plan/bench.h"
+
+#include <utility>
+
+#include "error.h"
+#include "number.h"
+#include "scene/reader.h"
+
+namespace thermocontact::plan {
+namespace {
+
+constexpr double any_tolerance = 1e-3;
+
+std::string key_of(const Discretisation& choice) {
+    return describe(choice.stepping) + " " + std::to_string(choice.degree) + " " +
+           std::to_string(choice.scale) + " " + std::to_string(choice.steps) + " " +
+           exact_text(choice.tolerance);
+}
+
+}  // namespace
+
+Bench::Bench(SceneSource source, Quantity quantity, const parallel::Backend* backend,
+             std::function<void()> check)
+    : source_(std::move(source)),
+      quantity_(quantity),
+      backend_(backend),
+      check_(std::move(check)),
+      scene_(scene::read_scene(source_.path, source_.overrides)) {}
+
+/// Read as a run with these settings would be, so that what the scene's own keys mean for it is in it.
+const scene::Scene& Bench::template_for(const Stepping& stepping) {
+    const std::string name = describe(stepping);
+    if (const auto found = templates_.find(name); found != templates_.end()) {
+        return found->second;
+    }
+    std::vector<std::string> overrides = source_.overrides;
+    for (const std::string& setting : settings(stepping, any_tolerance)) {
+        overrides.push_back(setting);
+    }
+    return templates_.emplace(name, scene::read_scene(source_.path, overrides)).first->second;
+}
+
+bool Bench::can(const Stepping& stepping) {
+    if (scene_.time.tolerance && !stepping.adaptive) {
+        return false;  // nothing on the command line takes a tolerance back
+    }
+    try {
+        template_for(stepping);
+        return true;
+    } catch (const SceneError&) {
+        return false;
+    }
+}
+
+const Pilot* Bench::run(const Discretisation& discretisation) {
+    const auto [entry, is_new] = pilots_.try_emplace(key_of(discretisation));
+    if (is_new) {
+        const scene::Scene scene = plan::discretised(template_for(discretisation.stepping), discretisation);
+        try {
+            entry->second = run_pilot(scene, discretisation, quantity_, backend_, check_);
+        } catch (const NumericsError& error) {
+            failure_ = error.what();
+        }
+    }
+    return entry->second ? &*entry->second : nullptr;
+}
+
+std::vector<const Pilot*> Bench::pilots() const {
+    std::vector<const Pilot*> result;
+    for (const auto& [key, pilot] : pilots_) {
+        if (pilot) {
+            result.push_back(&*pilot);
+        }
+    }
+    return result;
+}
+
+}  // namespace thermocontact::plan

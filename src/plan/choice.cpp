@@ -1,0 +1,150 @@
+#include "plan/choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thermocontact::plan {
+namespace {
+
+constexpr int most_steps = 10'000'000;
+constexpr double smallest_tolerance = 1e-9;
+constexpr int bisections = 50;
+
+const SpaceModel& space_of(const Models& models, int degree) {
+    return *std::ranges::find(models.spaces, degree, &SpaceModel::degree);
+}
+
+const TimeModel& time_of(const Models& models, const Stepping& stepping) {
+    return *std::ranges::find_if(models.times, [&](const TimeModel& time) {
+        return time.stepping.scheme == stepping.scheme && time.stepping.adaptive == stepping.adaptive;
+    });
+}
+
+/// 1, 2, 4, 6, 8 and from there multiples of 4, a tenth apart: halves and quarters of them are there to be
+/// compared with.
+int next_count(int count) {
+    if (count < 8) {
+        return count == 1 ? 2 : count + 2;
+    }
+    return 4 * std::max(count / 4 + 1, static_cast<int>(std::ceil(count * 1.1 / 4)));
+}
+
+std::vector<int> scales(const SpaceModel& space, const Models& models, const Limits& limits) {
+    std::vector<int> result{1};
+    for (int scale = 2; models.refinable && space.unknowns.at(scale) <= limits.unknowns;
+         scale = next_count(scale)) {
+        result.push_back(scale);
+    }
+    return result;
+}
+
+/// The smallest such count that is not below `least`; large ones, a tenth apart, waste less.
+int count_from(double least) {
+    int count = 1;
+    while (count < least && count < 8) {
+        count = next_count(count);
+    }
+    return count >= least ? count : 4 * static_cast<int>(std::ceil(least / 4));
+}
+
+double two_digits_below(double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return std::floor(value / unit * (1 + 1e-9)) * unit;
+}
+
+/// The coarsest stepping whose error beside `space` keeps to `aim`; nothing where none does.
+std::optional<Discretisation> coarsest_in_time(const TimeModel& time, const std::vector<double>& space,
+                                               double aim, Sum sum) {
+    const auto error = [&](double log_knob) {
+        return total_error(space, time.error.at(std::exp(log_knob)), sum);
+    };
+    double fine = std::log(time.stepping.adaptive ? smallest_tolerance : 1.0 / most_steps);
+    double coarse = std::log(time.error.coarsest());
+    if (error(fine) > aim) {
+        return std::nullopt;
+    }
+    if (error(coarse) <= aim) {
+        fine = coarse;
+    }
+    for (int i = 0; i < bisections && coarse > fine; ++i) {
+        const double middle = (fine + coarse) / 2;
+        (error(middle) <= aim ? fine : coarse) = middle;
+    }
+    Discretisation result{0, 0, time.stepping, adaptive_steps, 0};
+    if (time.stepping.adaptive) {
+        result.tolerance = two_digits_below(std::exp(fine));
+    } else {
+        result.steps = instants * count_from(std::exp(-fine) / instants * (1 - 1e-9));
+    }
+    return result;
+}
+
+}  // namespace
+
+double time_knob(const Discretisation& discretisation) {
+    return discretisation.stepping.adaptive ? discretisation.tolerance : 1.0 / discretisation.steps;
+}
+
+double combined(double space, double time, Sum sum) {
+    return sum == Sum::squares ? std::hypot(space, time) : space + time;
+}
+
+double total_error(const std::vector<double>& space, const std::vector<double>& time, Sum sum) {
+    double largest = 0;
+    for (std::size_t c = 0; c < space.size(); ++c) {
+        largest = std::max(largest, combined(space[c], time[c], sum));
+    }
+    return largest;
+}
+
+Option assess(const Models& models, const Discretisation& discretisation) {
+    const SpaceModel& space = space_of(models, discretisation.degree);
+    const TimeModel& time = time_of(models, discretisation.stepping);
+    const double scale = discretisation.scale, knob = time_knob(discretisation);
+    Option option{discretisation, space.error.at(1 / scale), time.error.at(knob), 0, 0, 0};
+    option.error = total_error(option.space, option.time, models.sum);
+    option.unknowns = space.unknowns.at(scale);
+    option.seconds = space.setup.at(scale) + time.factorisations.at(knob) * space.factor.at(scale) +
+                     time.attempts.at(knob) * space.step.at(scale) + models.frames * space.frame.at(scale) +
+                     seconds_of_folder + discretisation.steps * seconds_of_row;
+    return option;
+}
+
+std::optional<Option> cheapest(const Models& models, double aim, const Limits& limits) {
+    std::optional<Option> best;
+    for (const SpaceModel& space : models.spaces) {
+        for (const int scale : scales(space, models, limits)) {
+            const std::vector<double> errors = space.error.at(1.0 / scale);
+            for (const TimeModel& time : models.times) {
+                std::optional<Discretisation> found = coarsest_in_time(time, errors, aim, models.sum);
+                if (!found) {
+                    continue;
+                }
+                found->degree = space.degree;
+                found->scale = scale;
+                const Option option = assess(models, *found);
+                if (option.seconds <= limits.seconds && (!best || option.seconds < best->seconds)) {
+                    best = option;
+                }
+            }
+        }
+    }
+    return best;
+}
+
+std::optional<Option> most_accurate(const Models& models, const Limits& limits) {
+    double low = std::log(1e-12), high = std::log(1e3);
+    std::optional<Option> best = cheapest(models, std::exp(high), limits);
+    for (int i = 0; i < bisections / 2 && best; ++i) {
+        const double middle = (low + high) / 2;
+        if (const auto option = cheapest(models, std::exp(middle), limits)) {
+            best = option;
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    return best;
+}
+
+}  // namespace thermocontact::plan

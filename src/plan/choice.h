@@ -1,0 +1,75 @@
+/// The cheapest discretisation of those that the models cover.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plan/discretisation.h"
+#include "plan/error_curve.h"
+
+namespace thermocontact::plan {
+
+/// How the errors of two sources add up: in the norms of fields, where they have little to do with each
+/// other, as the root of the sum of their squares; in a single number wholly.
+enum class Sum { squares, plain };
+
+double combined(double space, double time, Sum sum);
+
+/// The largest of both sources' combined errors.
+double total_error(const std::vector<double>& space, const std::vector<double>& time, Sum sum);
+
+/// What a mesh of one degree errs by and costs, by the scale of the mesh; the knob of the error is 1/scale.
+struct SpaceModel {
+    int degree;
+    ErrorCurve error;
+    LogCurve setup, factor, step;  ///< s: once, a factorisation of both balances, a step
+    LogCurve unknowns;
+    LogCurve frame;  ///< s to write the fields once
+};
+
+/// What a way to step errs by, and how many steps it takes; the knob is 1/steps, or the tolerance.
+struct TimeModel {
+    Stepping stepping;
+    ErrorCurve error;
+    LogCurve attempts, factorisations;
+    LogCurve damped;  ///< see Pilot::damped
+};
+
+/// To make the folder, checkpoints and the summary of a run, and a row of the history, s: measured.
+inline constexpr double seconds_of_folder = 4e-3, seconds_of_row = 3e-5;
+
+struct Models {
+    std::vector<SpaceModel> spaces;
+    std::vector<TimeModel> times;
+    bool refinable = true;  ///< the mesh, which is no file's
+    double frames = 0;      ///< how often the fields are written
+    Sum sum = Sum::squares;
+};
+
+/// A discretisation with what the models say of it.
+struct Option {
+    Discretisation discretisation;
+    std::vector<double> space, time;  ///< [components]: relative errors
+    double error;                     ///< the largest of both combined
+    double seconds, unknowns;
+};
+
+struct Limits {
+    double seconds, unknowns;
+};
+
+/// What the models say of one discretisation.
+Option assess(const Models& models, const Discretisation& discretisation);
+
+/// The discretisation of the smallest predicted time among those with an error of at most `aim`, within the
+/// limits.
+std::optional<Option> cheapest(const Models& models, double aim, const Limits& limits);
+
+/// That of the smallest error within the limits.
+std::optional<Option> most_accurate(const Models& models, const Limits& limits);
+
+/// The knob of a discretisation's time.
+double time_knob(const Discretisation& discretisation);
+
+}  // namespace thermocontact::plan

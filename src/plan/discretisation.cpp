@@ -1,0 +1,163 @@
+#include "plan/discretisation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iomanip>
+#include <numeric>
+#include <sstream>
+
+#include "scene/text.h"
+#include "scene/time_steps.h"
+
+namespace thermocontact::plan {
+namespace {
+
+/// Cells in all that a coarsest mesh has at least: with fewer there is no shape to converge.
+int fewest_cells(std::size_t dimension) {
+    return dimension == 2 ? 8 : 6;
+}
+
+std::string short_or_exact(double value) {
+    std::ostringstream stream;
+    stream << std::setprecision(12) << value;
+    return stream.str();
+}
+
+std::string quoted(const std::string& key, const std::string& value) {
+    return key + "=\"" + value + '"';
+}
+
+/// Steps between outputs, of which there are about as many as in the scene, the instants compared among them.
+int output_every(int steps, int frames) {
+    const int between = steps / instants, most = std::max(1, steps / frames);
+    int every = std::min(between, most);
+    while (between % every != 0) {
+        --every;
+    }
+    return every;
+}
+
+/// The step in as few digits as give the number of steps again.
+std::string step_text(double end, int steps) {
+    const double exact = end / steps;
+    double unit = std::pow(10.0, std::floor(std::log10(exact)));
+    for (int digit = 0; digit < 15; ++digit, unit /= 10) {
+        const double rounded = std::strtod(short_or_exact(std::round(exact / unit) * unit).c_str(), nullptr);
+        if (scene::steps_of(end, rounded) == steps) {
+            return short_or_exact(rounded);
+        }
+    }
+    return scene::number_text(exact);
+}
+
+int frames_of(const scene::Scene& scene) {
+    return std::max(1, scene.time.steps / std::max(1, scene.output.every));
+}
+
+}  // namespace
+
+std::vector<int> coarsest_cells(const scene::Scene& scene) {
+    const std::vector<int>& cells = scene.mesh.cells;
+    int divisor = 0;
+    for (const int count : cells) {
+        divisor = count > 1 ? std::gcd(divisor, count) : divisor;
+    }
+    divisor = std::max(divisor, 1);
+    const auto divided = [&](int parts) {
+        std::vector<int> result;
+        for (const int count : cells) {
+            result.push_back(count > 1 ? count / divisor * parts : 1);
+        }
+        return result;
+    };
+    const auto total = [](const std::vector<int>& counts) {
+        return std::accumulate(counts.begin(), counts.end(), 1.0, std::multiplies<>());
+    };
+    for (int parts = 1; parts < divisor;
+         ++parts) {  // a part of the scene's own mesh: that is among the scales
+        std::vector<int> result = divided(parts);
+        if (divisor % parts == 0 && total(result) >= fewest_cells(cells.size())) {
+            return result;
+        }
+    }
+    return divided(divisor);
+}
+
+std::vector<int> scaled_cells(const std::vector<int>& coarsest, const std::vector<int>& scene_cells,
+                              int scale) {
+    std::vector<int> result;
+    for (std::size_t axis = 0; axis < coarsest.size(); ++axis) {
+        result.push_back(scene_cells[axis] > 1 ? coarsest[axis] * scale : 1);
+    }
+    return result;
+}
+
+scene::Scene discretised(scene::Scene scene, const Discretisation& choice) {
+    if (!scene.mesh.file) {
+        scene.mesh.cells = scaled_cells(coarsest_cells(scene), scene.mesh.cells, choice.scale);
+    }
+    scene.degree = choice.degree;
+    scene.time.steps = choice.steps;
+    scene.time.tolerance = choice.stepping.adaptive ? std::optional(choice.tolerance) : std::nullopt;
+    return scene;
+}
+
+std::vector<std::string> settings(const Stepping& stepping, double tolerance) {
+    std::vector<std::string> result{quoted("time.scheme", stepping.scheme)};
+    if (stepping.adaptive) {
+        result.push_back("time.tolerance=" + scene::number_text(tolerance));
+    }
+    return result;
+}
+
+std::vector<std::string> settings(const scene::Scene& scene, const Discretisation& choice) {
+    std::vector<std::string> result;
+    if (!scene.mesh.file) {
+        std::string cells;
+        for (const int count : scaled_cells(coarsest_cells(scene), scene.mesh.cells, choice.scale)) {
+            cells += (cells.empty() ? "" : ",") + std::to_string(count);
+        }
+        result.push_back("mesh.cells=[" + cells + "]");
+    }
+    result.push_back("space.degree=" + std::to_string(choice.degree));
+    const std::vector<std::string> of_time = settings(choice.stepping, choice.tolerance);
+    result.insert(result.end(), of_time.begin(), of_time.end());
+    if (scene.resolved.at("time").contains(
+            "step")) {  // what a scene says of its steps can only be said again
+        result.push_back("time.step=" + step_text(scene.time.end, choice.steps));
+    } else {
+        result.push_back("time.steps=" + std::to_string(choice.steps));
+    }
+    result.push_back("output.every=" + std::to_string(output_every(choice.steps, frames_of(scene))));
+    return result;
+}
+
+int coarser(int count) {
+    for (int divisor = 2; divisor * divisor <= count; ++divisor) {
+        if (count % divisor == 0) {
+            return count / divisor;
+        }
+    }
+    return 1;
+}
+
+Discretisation coarser_in_space(Discretisation choice) {
+    choice.scale = coarser(choice.scale);
+    return choice;
+}
+
+Discretisation coarser_in_time(Discretisation choice) {
+    if (choice.stepping.adaptive) {
+        choice.tolerance = std::min(tolerance_ratio * choice.tolerance, first_tolerance);
+    } else {
+        choice.steps = instants * coarser(choice.steps / instants);
+    }
+    return choice;
+}
+
+std::string describe(const Stepping& stepping) {
+    return stepping.scheme + (stepping.adaptive ? ", adaptive" : "");
+}
+
+}  // namespace thermocontact::plan

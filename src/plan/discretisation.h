@@ -1,0 +1,62 @@
+/// How a scene is discretised: what a plan chooses. The physics, the friction's regularisation and the
+/// contact's quadrature stay the scene's.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace thermocontact::plan {
+
+/// Instants at which runs are compared: every eighth of the time. Every run has a multiple of as many steps.
+inline constexpr int instants = 8;
+
+/// A way to step through time.
+struct Stepping {
+    std::string scheme;  ///< time.scheme
+    bool adaptive;       ///< by time.tolerance
+};
+
+struct Discretisation {
+    int degree;
+    int scale;  ///< the cells along each axis are those of the coarsest mesh times this; 1: a mesh of a file
+    Stepping stepping;
+    int steps;
+    double tolerance;  ///< of adaptive steps
+};
+
+/// Steps of the scene when these are divided adaptively: the shortest part is 1/4096 of the time.
+inline constexpr int adaptive_steps = 16;
+
+/// The coarsest mesh of a scene's proportions, [d]; axes with one cell keep it. Empty: the mesh is a file's.
+std::vector<int> coarsest_cells(const scene::Scene& scene);
+
+/// [d] cells of a scale of the coarsest mesh.
+std::vector<int> scaled_cells(const std::vector<int>& coarsest, const std::vector<int>& scene_cells,
+                              int scale);
+
+/// `scene`, whose scheme is that of `choice` already, so discretised.
+scene::Scene discretised(scene::Scene scene, const Discretisation& choice);
+
+/// The keys that do the same: "mesh.cells=[16,16]", ..., for --set. `scene` is the one planned for.
+std::vector<std::string> settings(const scene::Scene& scene, const Discretisation& choice);
+
+/// The key that chooses a stepping, and, where it adapts, its tolerance.
+std::vector<std::string> settings(const Stepping& stepping, double tolerance);
+
+/// The largest proper divisor: a run of so many parts has all points of the coarser one. 1 of a prime number.
+int coarser(int count);
+
+/// The same of the coarser mesh, and of fewer steps or the larger tolerance.
+Discretisation coarser_in_space(Discretisation choice);
+Discretisation coarser_in_time(Discretisation choice);
+
+/// The tolerances of pilots, one after another.
+inline constexpr double first_tolerance = 1.0 / 16, tolerance_ratio = 8;
+
+/// "bdf2, adaptive".
+std::string describe(const Stepping& stepping);
+
+}  // namespace thermocontact::plan

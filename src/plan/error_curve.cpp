@@ -1,0 +1,81 @@
+#include "plan/error_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thermocontact::plan {
+namespace {
+
+struct Fit {
+    double order;
+    double difference;  ///< d
+};
+
+/// Of one component.
+Fit fit(const Ladder& ladder, std::size_t component, double highest) {
+    const std::size_t count = ladder.steps.size();
+    const auto difference = [&](std::size_t i) { return ladder.steps[i][component]; };
+    const double last = difference(count - 1);
+    if (count < 2 || last <= 0) {
+        return {last <= 0 ? highest : highest / 2, last};
+    }
+    std::vector<double> slopes;
+    for (std::size_t i = count - std::min(count, slopes_looked_at + 1); i + 1 < count; ++i) {
+        slopes.push_back(difference(i) > 0 ? std::log(difference(i) / difference(i + 1)) /
+                                                 std::log(ladder.knobs[i] / ladder.knobs[i + 1])
+                                           : lowest_order);
+    }
+    std::ranges::sort(slopes);
+    const double order = std::clamp(slopes[(slopes.size() - 1) / 2], lowest_order, highest);
+    const double expected =
+        difference(count - 2) * std::pow(ladder.knobs[count - 1] / ladder.knobs[count - 2], order);
+    return {order, std::max(last, expected)};
+}
+
+}  // namespace
+
+ErrorCurve::ErrorCurve(std::size_t components) : orders_(components, 0.0), factors_(components, 0.0) {
+    curves_.assign(components, LogCurve({1.0}, {0.0}, 0.0));
+}
+
+ErrorCurve::ErrorCurve(const Ladder& ladder, const std::vector<double>& highest_orders)
+    : factors_(highest_orders.size(), 1.0), coarsest_(ladder.knobs.front()), finest_(ladder.knobs.back()) {
+    const std::size_t last = ladder.steps.size() - 1;
+    for (std::size_t c = 0; c < highest_orders.size(); ++c) {
+        const auto [order, difference] = fit(ladder, c, highest_orders[c]);
+        const double ratio = ladder.knobs[last] / ladder.knobs[last + 1];
+        const double size = ladder.sizes[c] > 0 ? ladder.sizes[c] : 1.0;
+        const double left = difference / (std::pow(ratio, order) - 1);
+        std::vector<double> errors;
+        for (const std::vector<double>& apart : ladder.from_the_finest) {
+            errors.push_back((apart[c] + left) / size);
+        }
+        errors.push_back(left / size);
+        for (std::size_t i = 0; i < ladder.from_reference.size(); ++i) {
+            errors[i] = (ladder.from_reference[i][c] + ladder.left_in_reference[c]) / size;
+        }
+        curves_.emplace_back(ladder.knobs, errors, order);
+        orders_.push_back(order);
+    }
+}
+
+std::vector<double> ErrorCurve::at(double knob) const {
+    std::vector<double> result;
+    for (std::size_t c = 0; c < curves_.size(); ++c) {
+        result.push_back(factors_[c] * curves_[c].at(knob));
+    }
+    return result;
+}
+
+double ErrorCurve::largest_at(double knob) const {
+    const std::vector<double> errors = at(knob);
+    return errors.empty() ? 0.0 : *std::ranges::max_element(errors);
+}
+
+void ErrorCurve::correct(const std::vector<double>& factors) {
+    for (std::size_t c = 0; c < factors_.size(); ++c) {
+        factors_[c] *= factors[c];
+    }
+}
+
+}  // namespace thermocontact::plan

@@ -1,0 +1,66 @@
+"""The program's commands, and the settings that its plans print."""
+
+import json
+import os
+import subprocess
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from benchmarking.process import ENVIRONMENT
+
+
+@dataclass(frozen=True)
+class Settings:
+    """KEY=VALUE each, as --set takes them, and how many steps they make."""
+
+    words: Sequence[str]
+    steps: int
+
+    def value(self, key: str) -> str | None:
+        found = [word.partition("=")[2] for word in self.words if word.startswith(key + "=")]
+        return found[-1] if found else None
+
+    def replaced(self, key: str, value: str, steps: int | None = None) -> "Settings":
+        others = [word for word in self.words if not word.startswith(key + "=")]
+        return Settings([*others, f"{key}={value}"], steps or self.steps)
+
+    @property
+    def cells(self) -> list[int]:
+        found: list[int] = json.loads(self.value("mesh.cells") or "[]")
+        return found
+
+    def refined(self, in_space: int, in_time: int) -> "Settings":
+        """Degree 2, so many times the cells (an axis with one cell keeps it) and so many times the steps."""
+        cells = [count * in_space if count > 1 else 1 for count in self.cells]
+        result = self.replaced("mesh.cells", json.dumps(cells)).replaced("space.degree", "2")
+        steps = self.steps * in_time
+        if tolerance := self.value("time.tolerance"):  # errors go with its power 2/3, at order 2
+            return result.replaced("time.tolerance", repr(float(tolerance) / in_time**3))
+        if step := self.value("time.step"):
+            return result.replaced("time.step", f"{float(step) / in_time:.13g}", steps)
+        return result.replaced("time.steps", str(steps), steps)
+
+    def at_instants(self, count: int) -> "Settings":
+        """With fields at so many equal instants."""
+        return self.replaced("output.every", str(self.steps // count))
+
+
+@dataclass(frozen=True)
+class Program:
+    driver: Path
+    scenes: Path
+
+    def call(self, command: str, scene: str, *words: str) -> "subprocess.CompletedProcess[str]":
+        file = str(self.scenes / f"{scene}.toml")
+        environment = {**os.environ, **ENVIRONMENT}
+        return subprocess.run(
+            [str(self.driver), command, file, *words], capture_output=True, text=True, env=environment
+        )
+
+    def run(self, scene: str, folder: Path, settings: Settings, fields: Sequence[str]) -> None:
+        words = [*settings.words, f"output.fields={json.dumps(fields)}"]
+        sets = [word for setting in words for word in ("--set", setting)]
+        done = self.call("run", scene, "--quiet", "--output", str(folder), *sets)
+        if done.returncode != 0:
+            raise RuntimeError(f"{scene}: exit {done.returncode}: {done.stderr}")

@@ -39,7 +39,7 @@ from same_steps import first_difference
 
 SAME_PLACE = 1e-9  # relative to the bounding box; also for times, relative to the last one
 PARTS = {0: "body", 1: "contact"}
-OPEN = 0
+OPEN, STICK = 0, 1
 
 Array = npt.NDArray[Any]
 
@@ -201,7 +201,9 @@ class Comparison:
                     self.records.setdefault(f"{PARTS[part]} {name}", Record())
                 else:
                     record = self.records.setdefault(f"{PARTS[part]} {name}", Record())
-                    record.add(time, places, values, partner[rows])
+                    shown = self._unique_tractions(a, b, rows) if name == "traction" else slice(None)
+                    if len(values[shown]):
+                        record.add(time, places[shown], values[shown], partner[rows][shown])
 
     def _add_states(self, time: float, a: vtu.Grid, b: vtu.Grid, rows: Array) -> None:
         state_a, state_b = a.point_data["state"], b.point_data["state"][rows]
@@ -216,6 +218,15 @@ class Comparison:
                 values = [np.linalg.norm(slip) - epsilon for slip in both]
             distance = float(np.min(np.abs(values)))
             self.mismatches.append(StateMismatch(time, place(a.points[at]), decided_by, distance))
+
+    def _unique_tractions(self, a: vtu.Grid, b: vtu.Grid, rows: Array) -> Any:
+        """Where Coulomb's law itself (epsilon = 0) makes a point stick, only resultants are unique."""
+        if "state" not in a.point_data or 0.0 not in self.epsilons:
+            return np.ones(len(rows), dtype=bool)
+        exact = np.zeros(len(a.points), dtype=bool)
+        exact[a.cells[self.epsilons[a.cell_data["boundary"].astype(int)] == 0.0]] = True
+        sticks = (a.point_data["state"] == STICK) | (b.point_data["state"][rows] == STICK)
+        return ~(exact & sticks)
 
     def _epsilon_at(self, grid: vtu.Grid, point: int) -> float:
         cell = int(np.flatnonzero((grid.cells == point).any(axis=1))[0])

@@ -118,7 +118,7 @@ def diagnostics(problem: Problem, momentum: Momentum | None, heat: HeatBalance |
     if heat:
         values["temperature_l2"] = l2_norm(heat.mass, heat.theta_vector)
     for side in problem.contacts:
-        measures = side.measures(problem.u).items()
+        measures = side.measures(problem.u, problem.w).items()
         values.update({f"contact.{side.name}.{measure}": value for measure, value in measures})
     if not np.all(np.isfinite(list(values.values()))):
         raise NumericsError("a non-finite value in the solution")

@@ -58,7 +58,10 @@ Form::Form(Kernel kernel, const mesh::Mesh& mesh, const Fields& fields, int rule
     std::size_t size = 0;
     for (const std::string& name : kernel_.coefficients) {
         fields_.push_back(bound(fields, name, kernel_.name));
-        size += static_cast<std::size_t>(fields_.back().components * fields_.back().dofmap->nodes_per_cell);
+        const Field& field = fields_.back();
+        size += field.dofmap == nullptr
+                    ? field.values->size()
+                    : static_cast<std::size_t>(field.components * field.dofmap->nodes_per_cell);
     }
     coefficients_.resize(size);
 }
@@ -72,6 +75,10 @@ void Form::gather(std::int32_t cell) {
     }
     double* target = coefficients_.data();
     for (const Field& field : fields_) {
+        if (field.dofmap == nullptr) {  // the values of the facet at hand, kept by the caller
+            target = std::ranges::copy(*field.values, target).out;
+            continue;
+        }
         for (const std::int32_t node : field.dofmap->of(cell)) {
             const double* source = field.values->data() + static_cast<std::size_t>(node) *
                                                               static_cast<std::size_t>(field.components);

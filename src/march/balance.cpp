@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "error.h"
 #include "march/vectors.h"
@@ -12,6 +13,16 @@
 
 namespace thermocontact::march {
 namespace {
+
+constexpr int most_updates = 50;  ///< of the friction multiplier in one solve
+/// gamma over the body's largest stiffness against slip: an update leaves about 1/stiffening of what sticks
+/// wrongly.
+constexpr double stiffening = 100;
+/// The multipliers of facets with few points that stick, and in space the direction of slip velocities below
+/// p_t/gamma, settle more slowly. Where an update after the first `soft_updates` changes more than `slow` of
+/// what the last one did, gamma grows, to `stiffest` times its first value at most.
+constexpr int soft_updates = 2;
+constexpr double slow = 0.1, growth = 10, stiffest = 1e4;
 
 std::string failure_text(const std::string& name, const solve::NewtonResult& first,
                          const solve::ContinuationResult* ladder) {
@@ -63,6 +74,7 @@ void Balance::use(double tau) {
         contact_.restrict_to(problem().contact_dofs());
     }
     contact_.set_step(tau);
+    contact_.set_slip_stiffness(systems_.front()->slip_stiffness);
 }
 
 std::vector<KeptSystem> Balance::kept_systems() const {
@@ -84,6 +96,10 @@ void Balance::take_up(const std::vector<KeptSystem>& kept) {
 
 std::unique_ptr<Balance::System> Balance::prepare(double tau) {
     auto system = std::make_unique<System>(System{tau, assembly_(tau), nullptr});
+    if (contact_.has_exact_friction()) {
+        system->slip_stiffness =
+            stiffening * strategy_->team().max(contact_.stiffness_against_slip(system->matrix));
+    }
     const bool symmetric = !contact_.has_friction();
     const solve::StepProblemInput input{name_,          system->matrix, prescribed_.fixed(),
                                         contact_nodes_, symmetric,      options_};
@@ -167,12 +183,60 @@ solve::NewtonResult Balance::iterate(Eigen::VectorXd& x) {
     return result;
 }
 
+/// Method of multipliers (forms/coulomb.py): solved for a multiplier, which then becomes the friction found,
+/// until that changes nothing. Where no point begins or ends to stick, the derivative stays as it is, and a
+/// turn costs a solve with the factors at hand.
 SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
+    contact_.set_slip_stiffness(systems_.front()->slip_stiffness);
+    SolveReport report = solve_given_multipliers(x);
+    if (!contact_.has_exact_friction()) {
+        return report;
+    }
+    double stiffness = systems_.front()->slip_stiffness, change = 0;
+    const double most = stiffest * stiffness;
+    for (int update = 0; update < most_updates; ++update) {
+        const double before = std::exchange(change, update_multipliers(x));
+        if (change <= options_.tolerance) {
+            return report;
+        }
+        if (update >= soft_updates && change > slow * before && stiffness < most) {
+            stiffness *= growth;
+            contact_.set_slip_stiffness(stiffness);
+        }
+        const SolveReport next = solve_given_multipliers(x);
+        report.add(next);
+        if (next.iterations == 0) {
+            return report;
+        }
+    }
+    throw StepFailure(name_ + " balance: which points stick did not settle in " +
+                      std::to_string(most_updates) + " updates of the friction multiplier");
+}
+
+/// By how much that changes it, relative.
+double Balance::update_multipliers(const Eigen::VectorXd& x) {
+    problem().evaluate_at(x, contact_);
+    const auto [change, size] = contact_.update_multipliers();
+    std::vector<double> sums{change, size};
+    strategy_->team().sum(sums);
+    return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : std::sqrt(sums[0]);
+}
+
+SolveReport Balance::solve_given_multipliers(Eigen::VectorXd& x) {
     const Eigen::VectorXd start = x;
     const solve::NewtonResult direct = iterate(x);
     if (direct.end == solve::NewtonEnd::converged) {
         return report_of(direct);
     }
+    if (!contact_.has_exact_friction() && contact_.smallest_regularisation() == 0) {
+        throw StepFailure(failure_text(name_, direct, nullptr));
+    }
+    // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear; and the
+    // largest difference to the foundation's temperature: conductance limited there is linear
+    x = start;
+    const double fastest =
+        problem().largest_unknown(start) + strategy_->team().max(contact_.largest_foundation());
+    contact_.set_width_of_exact_friction(fastest / stiffening);
     const double target = contact_.smallest_regularisation();
     if (target == 0) {
         throw StepFailure(failure_text(name_, direct, nullptr));
@@ -181,11 +245,6 @@ SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
         contact_.raise_regularisation(floor);
         return iterate(value);
     };
-    // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear; and the
-    // largest difference to the foundation's temperature: conductance limited there is linear
-    x = start;
-    const double fastest =
-        problem().largest_unknown(start) + strategy_->team().max(contact_.largest_foundation());
     const solve::ContinuationResult ladder = solve::continue_regularisation(rung, fastest, target, x);
     contact_.raise_regularisation(0);
     if (ladder.newton.end != solve::NewtonEnd::converged) {

@@ -85,12 +85,15 @@ class Balance {
         double tau;
         fem::BlockMatrix matrix;
         std::unique_ptr<solve::StepProblem> problem;
+        double slip_stiffness = 0;  ///< gamma of exact friction, Pa s/m
     };
 
     std::unique_ptr<System> prepare(double tau);
     solve::StepProblem& problem() const { return *systems_.front()->problem; }
     SolveReport solve_contact(Eigen::VectorXd& x);
     solve::NewtonResult iterate(Eigen::VectorXd& x);
+    SolveReport solve_given_multipliers(Eigen::VectorXd& x);
+    double update_multipliers(const Eigen::VectorXd& x);
     std::optional<std::string> what_is_free();
     void remove_prescribed(std::vector<double>& rhs);
 

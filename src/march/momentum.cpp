@@ -62,6 +62,8 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
                    const std::vector<model::Source>& sources)
     : team_(&strategy.team()),
       dimension_(scene.dimension),
+      mesh_(&mesh),
+      surfaces_(&surfaces),
       density_(model::uniform_density(scene)),
       loads_(
           parallel::together(*team_, [&] { return model::Loads::mechanical(scene, mesh, space, sources); })),
@@ -108,11 +110,13 @@ void Momentum::apply(const std::vector<double>& velocity, const std::vector<doub
 }
 
 void Momentum::restart(const State& state) {
+    model::set_multipliers(*surfaces_, *mesh_, state.friction_multiplier);
     apply(state.velocity, state.displacement, old_);
 }
 
 void Momentum::begin(const StepRule& rule, const State& state) {
     rule_ = rule;
+    model::set_multipliers(*surfaces_, *mesh_, state.friction_multiplier);  // not those of a step that failed
     balance_->use(rule.tau);
     load_ = parallel::together(*team_, [&] { return &loads_.at(rule.stage_time()); });
     extrapolate(rule.memory(), state.displacement, state.displacement_rate, base_displacement_);
@@ -155,6 +159,7 @@ void Momentum::accept(State& state, const Scheme& scheme) {
     std::swap(old_, now_);
     std::swap(state.displacement, new_displacement_);
     std::swap(state.velocity, new_velocity_);
+    state.friction_multiplier = model::multipliers_of(*surfaces_, *mesh_);
 }
 
 /// The prescribed displacements are those of begin(), to the last bit.

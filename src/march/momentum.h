@@ -92,6 +92,8 @@ class Momentum {
 
     const parallel::Team* team_;
     int dimension_;
+    const mesh::Mesh* mesh_;
+    const model::ContactSurfaces* surfaces_;
     std::optional<double> density_;  ///< rho, where it is uniform
     std::optional<fem::BlockMatrix> mass_, damping_, stiffness_, coupling_;
     fem::BlockMatrix strain_gram_;

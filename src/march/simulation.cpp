@@ -230,11 +230,16 @@ void Simulation::take_up(State state) {
     model::update(surfaces_, part_.space, state_.time);
 }
 
+/// Which numbers the rows of a state's member have.
+const parallel::NodeNumbers& Simulation::numbers_of(const std::string& member) const {
+    return member == "friction_multiplier" ? part_.facet_numbers : part_.numbers;
+}
+
 Snapshot Simulation::snapshot() const {
     Snapshot snapshot{state_, totals_};
-    visit_members(snapshot.state, [&](const std::string&, auto& member) {
+    visit_members(snapshot.state, [&](const std::string& name, auto& member) {
         if constexpr (std::is_same_v<decltype(member), Nodal&>) {
-            member = parallel::to_whole(part_.numbers, team(), member);
+            member = parallel::to_whole(numbers_of(name), team(), member);
         }
     });
     if (momentum_) {
@@ -248,15 +253,19 @@ Snapshot Simulation::snapshot() const {
 
 void Simulation::resume(const Snapshot& snapshot) {
     State state = snapshot.state;
-    const auto nodes = static_cast<std::size_t>(part_.numbers.total());
     visit_members(state, [&](const std::string& name, auto& member) {
         if constexpr (std::is_same_v<decltype(member), Nodal&>) {
-            if (member.size() % nodes != 0) {
-                throw SceneError("the checkpoint's " + name + " has " + std::to_string(member.size()) +
-                                 " numbers, which do not fit the " + std::to_string(nodes) +
-                                 " nodes of the mesh");
+            const parallel::NodeNumbers& numbers = numbers_of(name);
+            const auto rows = static_cast<std::size_t>(numbers.total());
+            if (member.empty()) {
+                return;
             }
-            member = parallel::from_whole(part_.numbers, member);
+            if (rows == 0 || member.size() % rows != 0) {
+                throw SceneError("the checkpoint's " + name + " has " + std::to_string(member.size()) +
+                                 " numbers, which do not fit the " + std::to_string(rows) +
+                                 (&numbers == &part_.numbers ? " nodes" : " facets") + " of the mesh");
+            }
+            member = parallel::from_whole(numbers, member);
         }
     });
     take_up(std::move(state));

@@ -131,6 +131,7 @@ class Simulation {
     void count_attempts(const StepCounts& counts);
     void solve_balances(StepCounts& counts);
     void solve_coupled(StepCounts& counts);
+    const parallel::NodeNumbers& numbers_of(const std::string& member) const;
     void take_up(State state);
     void give_up(const State& before, const Subdivision& parts, const std::string& reason);
     void count_step(const StepCounts& counts);

@@ -18,6 +18,9 @@ struct State {
     Nodal displacement;  ///< u, m
     Nodal velocity;      ///< w, m/s
     Nodal temperature;   ///< theta, K
+    /// What exact friction ended the step with, [facets of the mesh][numbers] (friction_multiplier.h), Pa;
+    /// empty without.
+    std::vector<double> friction_multiplier;
 
     /// The rates that the next step begins with (step_rule.h), of the three fields; empty where the scheme
     /// takes none, and before the first step.
@@ -38,8 +41,8 @@ struct State {
 template <typename AnyState, typename Visit>
 requires std::same_as<std::remove_const_t<AnyState>, State>
 void visit_members(AnyState& state, Visit&& visit) {
-    auto& [step, time, displacement, velocity, temperature, last_step, displacement_rate, velocity_rate,
-           temperature_rate, halvings, since_change, curvature_lag, displacement_curvature,
+    auto& [step, time, displacement, velocity, temperature, friction_multiplier, last_step, displacement_rate,
+           velocity_rate, temperature_rate, halvings, since_change, curvature_lag, displacement_curvature,
            velocity_curvature, temperature_curvature, displacement_scale, deformation_scale, velocity_scale,
            temperature_scale] = state;
     visit("step", step);
@@ -47,6 +50,7 @@ void visit_members(AnyState& state, Visit&& visit) {
     visit("displacement", displacement);
     visit("velocity", velocity);
     visit("temperature", temperature);
+    visit("friction_multiplier", friction_multiplier);
     visit("last_step", last_step);
     visit("displacement_rate", displacement_rate);
     visit("velocity_rate", velocity_rate);

@@ -21,16 +21,24 @@ ContactProbe::ContactProbe(const ContactSurface& surface, const mesh::Mesh& mesh
                        {"theta_F", {&surface.foundation_temperature, 1, &space.dofmap}}};
     // with k = 0 the displacement u_old + k w of the contact forms is the current one
     const fem::Constants constants = contact_constants(surface.laws, 0.0);
-    for (const char* name : {"area", "closed_area", "slip_area", "node_area", "gap", "slip_velocity"}) {
+    if (surface.multiplier) {
+        fields["lam"] = surface.multiplier->on_facet();
+        slips_ = "coulomb.";
+        tangential_force_ = "coulomb.force";
+        traction_ = "coulomb.traction";
+        add("coulomb.slips", mesh, constants, fields);
+    }
+    for (const char* name : {"area", "closed_area", "node_area", "gap", "slip_velocity"}) {
         add(std::string("kinematics.") + name, mesh, constants, fields);
     }
+    add(slips_ + "slip_area", mesh, constants, fields);
     if (surface.laws.compliance) {
         add("compliance.normal_force", mesh, constants, fields);
         add("compliance.pressure", mesh, constants, fields);
     }
     if (surface.laws.friction) {
-        add("friction.residual", mesh, constants, fields);
-        add("friction.traction", mesh, constants, fields);
+        add(tangential_force_, mesh, constants, fields);
+        add(traction_, mesh, constants, fields);
     }
     if (surface.laws.conductance) {
         add("conductance.residual", mesh, constants, fields);
@@ -44,16 +52,38 @@ void ContactProbe::add(const std::string& name, const mesh::Mesh& mesh, const fe
     forms_[name] = std::make_unique<fem::Form>(std::move(kernel), mesh, constants, fields, surface_->rule);
 }
 
+template <typename Visit>
+void ContactProbe::for_facets(const std::string& name, Visit&& visit) {
+    fem::Form& of_name = form(name);
+    if (surface_->multiplier) {
+        of_name.set_constant("gamma", surface_->multiplier->slip_stiffness);
+    }
+    for (std::size_t i = 0; i < surface_->facets.size(); ++i) {
+        if (surface_->multiplier) {
+            surface_->multiplier->show(i);
+        }
+        visit(surface_->facets[i], of_name);
+    }
+}
+
+double ContactProbe::integral(const std::string& name) {
+    double sum = 0;
+    for_facets(name, [&](const mesh::Facet& facet, fem::Form& of_name) {
+        of_name.add_facet(facet, {&sum, 1});
+    });
+    return sum;
+}
+
 std::array<double, 3> ContactProbe::resultant(const std::string& name, std::size_t components) {
     std::array<double, 3> sum{};
     std::vector<double> tensor(static_cast<std::size_t>(space_->dofmap.nodes_per_cell) * components);
-    for (const mesh::Facet& facet : surface_->facets) {
+    for_facets(name, [&](const mesh::Facet& facet, fem::Form& of_name) {
         std::ranges::fill(tensor, 0.0);
-        form(name).add_facet(facet, tensor);
+        of_name.add_facet(facet, tensor);
         for (std::size_t i = 0; i < tensor.size(); ++i) {
             sum[i % components] += tensor[i];
         }
-    }
+    });
     return sum;
 }
 
@@ -62,10 +92,9 @@ ContactMeasures ContactProbe::measure(const parallel::Team& team) {
         double area, closed, slipping, normal, heat;
         std::array<double, 3> tangential;
     };
-    const auto integral = [&](const char* name) { return fem::integrate(form(name), surface_->facets); };
     Sums here{integral("kinematics.area"),
               integral("kinematics.closed_area"),
-              integral("kinematics.slip_area"),
+              integral(slips_ + "slip_area"),
               0,
               0,
               {}};
@@ -77,7 +106,7 @@ ContactMeasures ContactProbe::measure(const parallel::Team& team) {
         here.normal = integral("compliance.normal_force");
     }
     if (surface_->laws.friction) {
-        here.tangential = resultant("friction.residual", static_cast<std::size_t>(dimension_));
+        here.tangential = resultant(tangential_force_, static_cast<std::size_t>(dimension_));
     }
     if (surface_->laws.conductance) {
         here.heat = resultant("conductance.residual", 1)[0];
@@ -97,18 +126,18 @@ std::vector<double> ContactProbe::at_nodes(const std::string& name, int componen
     const auto c = static_cast<std::size_t>(components);
     const auto n = static_cast<std::size_t>(space_->dofmap.nodes_per_cell);
     std::vector<double> weights(n), tensor(n * c), values;
-    for (const mesh::Facet& facet : surface_->facets) {
+    for_facets(name, [&](const mesh::Facet& facet, fem::Form& of_name) {
         std::ranges::fill(weights, 0.0);
         std::ranges::fill(tensor, 0.0);
         form("kinematics.node_area").add_facet(facet, weights);
-        form(name).add_facet(facet, tensor);
+        of_name.add_facet(facet, tensor);
         for (const int node : space_->element.facet_nodes[static_cast<std::size_t>(facet.local)]) {
             for (std::size_t i = 0; i < c; ++i) {
                 values.push_back(tensor[static_cast<std::size_t>(node) * c + i] /
                                  weights[static_cast<std::size_t>(node)]);
             }
         }
-    }
+    });
     return values;
 }
 
@@ -120,7 +149,10 @@ FacetFields ContactProbe::fields() {
         result["pressure"] = at_nodes("compliance.pressure", 1);
     }
     if (surface_->laws.friction) {
-        result["traction"] = at_nodes("friction.traction", dimension_);
+        result["traction"] = at_nodes(traction_, dimension_);
+    }
+    if (surface_->multiplier) {
+        result["slips"] = at_nodes("coulomb.slips", 1);
     }
     if (surface_->laws.conductance) {
         result["heat_flow"] = at_nodes("conductance.heat_flow", 1);

@@ -26,7 +26,8 @@ struct ContactMeasures {
     double tangential_force = 0;  ///< norm of the resultant of sigma_t, N (N/m in 2D)
     double max_penetration = 0;   ///< largest r_+ at the nodes of the facets, m
     double contact_fraction = 0;  ///< share of the area with r >= 0
-    double slip_fraction = 0;     ///< share of the area that is closed and slips, |w_t| > epsilon
+    double slip_fraction = 0;     ///< share of the area that is closed and slips, |w_t| > epsilon (or as in
+                                  ///< forms/coulomb.py)
     double heat_flow = 0;         ///< integral of q.n, W (W/m in 2D)
     double area = 0;              ///< m^2 (m in 2D)
 };
@@ -43,13 +44,17 @@ class ContactProbe {
     ContactMeasures measure(const parallel::Team& team);
 
     /// gap (m), slip_velocity (m/s), and, where the laws are present, pressure (Pa), traction (Pa), heat_flow
-    /// (W/m^2).
+    /// (W/m^2); where friction is exact, slips: 1 where a node does, else 0.
     FacetFields fields();
 
   private:
     fem::Form& form(const std::string& name) { return *forms_.at(name); }
     void add(const std::string& name, const mesh::Mesh& mesh, const fem::Constants& constants,
              const fem::Fields& fields);
+    /// Calls visit(facet, the form) with the facet's multiplier shown.
+    template <typename Visit>
+    void for_facets(const std::string& name, Visit&& visit);
+    double integral(const std::string& name);
     std::vector<double> at_nodes(const std::string& name, int components);
     /// Sum over the facets and their nodes [components].
     std::array<double, 3> resultant(const std::string& name, std::size_t components);
@@ -57,6 +62,8 @@ class ContactProbe {
     const ContactSurface* surface_;
     const fem::Space* space_;
     int dimension_;
+    std::string tangential_force_ = "friction.residual", traction_ = "friction.traction";
+    std::string slips_ = "kinematics.";  ///< the file of the forms that say so
     std::map<std::string, std::unique_ptr<fem::Form>> forms_;
 };
 

@@ -44,6 +44,10 @@ ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mes
                                                             {},
                                                             {},
                                                             {}});
+        if (const auto& friction = boundary.contact->friction; friction && friction->regularisation == 0) {
+            surface->multiplier = std::make_unique<FrictionMultiplier>(mesh, surface->facets, surface->rule,
+                                                                       space.element.degree, scene.dimension);
+        }
         // by the name: this part of the mesh may have no facet there
         const auto index = std::ranges::find(mesh.boundary_names, name) - mesh.boundary_names.begin();
         surface->nodes = space.boundary_nodes[static_cast<std::size_t>(index)];
@@ -55,6 +59,51 @@ ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mes
         surfaces.push_back(std::move(surface));
     }
     return surfaces;
+}
+
+/// Numbers that a multiplier takes on a facet; by the mesh alone where this part has no facet of the surface.
+std::size_t numbers_on_facet(const ContactSurface& surface, const mesh::Mesh& mesh) {
+    if (!surface.facets.empty()) {
+        return surface.multiplier->values().size() / surface.facets.size();
+    }
+    return fem::make_lagrange(mesh.cell, 2).facet_nodes.front().size() *
+           static_cast<std::size_t>(mesh.dimension);
+}
+
+/// The surface's facets are consecutive in the mesh, as these are sorted by boundary.
+template <typename Visit>
+void visit_multipliers(const ContactSurfaces& surfaces, const mesh::Mesh& mesh, Visit&& visit) {
+    for (const auto& surface : surfaces) {
+        if (surface->multiplier) {
+            const auto first = std::ranges::find_if(mesh.facets, [&](const mesh::Facet& facet) {
+                return !surface->facets.empty() && facet.boundary == surface->facets.front().boundary;
+            });
+            const std::size_t row = numbers_on_facet(*surface, mesh);
+            visit(surface->multiplier->values(), row,
+                  static_cast<std::size_t>(first - mesh.facets.begin()) * row);
+        }
+    }
+}
+
+std::vector<double> multipliers_of(const ContactSurfaces& surfaces, const mesh::Mesh& mesh) {
+    std::vector<double> all;
+    visit_multipliers(surfaces, mesh,
+                      [&](const std::vector<double>& values, std::size_t row, std::size_t first) {
+                          all.resize(mesh.facets.size() * row);
+                          std::ranges::copy(values, all.begin() + static_cast<std::ptrdiff_t>(first));
+                      });
+    return all;
+}
+
+void set_multipliers(const ContactSurfaces& surfaces, const mesh::Mesh& mesh,
+                     const std::vector<double>& all) {
+    visit_multipliers(surfaces, mesh, [&](std::vector<double>& values, std::size_t, std::size_t first) {
+        if (all.empty()) {
+            std::ranges::fill(values, 0.0);
+        } else {
+            std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), values.size(), values.begin());
+        }
+    });
 }
 
 void update(ContactSurfaces& surfaces, const fem::Space& space, double t) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fem/space.h"
+#include "model/friction_multiplier.h"
 #include "scene/scene.h"
 
 namespace thermocontact::model {
@@ -19,6 +20,8 @@ struct ContactSurface {
     std::vector<std::int32_t> nodes;
     std::vector<double> gap;                     ///< g at the nodes of the space, m (zero off the surface)
     std::vector<double> foundation_temperature;  ///< theta_F likewise, K; empty without conductance
+    std::unique_ptr<FrictionMultiplier> multiplier =
+        nullptr;  ///< of the step at hand; where friction is exact
 };
 
 /// The surfaces in order of their names. Their fields keep their addresses: forms refer to them.
@@ -30,6 +33,14 @@ ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mes
 
 /// Fields that depend on time, at time t (s).
 void update(ContactSurfaces& surfaces, const fem::Space& space, double t);
+
+/// The multipliers of all surfaces, [facets of the mesh][numbers]: zero on other facets, empty where friction
+/// is exact nowhere.
+std::vector<double> multipliers_of(const ContactSurfaces& surfaces, const mesh::Mesh& mesh);
+
+/// The reverse; from an empty vector, zero.
+void set_multipliers(const ContactSurfaces& surfaces, const mesh::Mesh& mesh,
+                     const std::vector<double>& values);
 
 /// [nodes]: 1 on surfaces whose law (a member of scene::Contact) is present.
 template <typename Law>

@@ -12,13 +12,19 @@ FacetTerm::FacetTerm(const fem::Space& space, int components, std::vector<double
 
 void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const ContactSurface& surface,
                     const fem::Constants& constants, const fem::Fields& fields) {
+    FrictionMultiplier* multiplier = law == "friction" ? surface.multiplier.get() : nullptr;
+    const std::string file = multiplier != nullptr ? "coulomb" : law;
+    fem::Fields taken = fields;
+    if (multiplier != nullptr) {
+        taken["lam"] = multiplier->on_facet();
+    }
     const auto form = [&](const std::string& name) {
-        return std::make_unique<fem::Form>(fem::find_kernel(law + name, mesh.cell, space_->element.degree),
-                                           mesh, constants, fields, surface.rule);
+        return std::make_unique<fem::Form>(fem::find_kernel(file + name, mesh.cell, space_->element.degree),
+                                           mesh, constants, taken, surface.rule);
     };
     const char* regularised_by = "";
     double regularisation = 0;
-    if (law == "friction") {
+    if (law == "friction" && multiplier == nullptr) {
         regularised_by = "eps";
         regularisation = surface.laws.friction->regularisation;
     } else if (law == "conductance" && std::isfinite(surface.laws.conductance->limit)) {
@@ -26,8 +32,13 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
         regularisation = surface.laws.conductance->limit;
     }
     const auto datum = fields.find(law == "compliance" ? "u_old" : law == "conductance" ? "theta_F" : "");
-    laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"), regularised_by,
-                     regularisation, datum != fields.end() ? datum->second.values : nullptr});
+    laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"), multiplier, nullptr, nullptr,
+                     regularised_by, regularisation, datum != fields.end() ? datum->second.values : nullptr});
+    if (multiplier != nullptr) {
+        laws_.back().functional = form(".functional");
+        laws_.back().node_area = std::make_unique<fem::Form>(
+            fem::find_kernel("kinematics.node_area", mesh.cell, space_->element.degree), mesh, constants);
+    }
 }
 
 void FacetTerm::restrict_to(const std::vector<std::int32_t>& dofs) {
@@ -43,12 +54,83 @@ void FacetTerm::set_step(double k) {
     for (Law& law : laws_) {
         law.residual->set_constant("k", k);
         law.jacobian->set_constant("k", k);
+        if (law.functional) {
+            law.functional->set_constant("k", k);
+        }
     }
+}
+
+bool FacetTerm::has_exact_friction() const {
+    return std::ranges::any_of(laws_, [](const Law& law) { return law.multiplier != nullptr; });
+}
+
+double FacetTerm::stiffness_against_slip(const fem::BlockMatrix& matrix) const {
+    std::vector<double> areas(space_->nodes.size(), 0.0);
+    for (const Law& law : laws_) {
+        if (law.multiplier != nullptr) {
+            fem::assemble_facets(*law.node_area, *law.facets, space_->dofmap, 1, areas);
+        }
+    }
+    double largest = 0;
+    const auto c = static_cast<std::size_t>(components_);
+    for (std::size_t node = 0; node < areas.size(); ++node) {
+        for (std::size_t i = 0; i < c && areas[node] > 0; ++i) {
+            const auto block = static_cast<std::size_t>(matrix.graph->offsets[node]);  // the diagonal one
+            largest = std::max(largest, matrix.values[(block * c + i) * c + i] / areas[node]);
+        }
+    }
+    return largest;
+}
+
+void FacetTerm::set_slip_stiffness(double gamma) {
+    slip_stiffness_ = gamma;
+    for (Law& law : laws_) {
+        if (law.multiplier != nullptr) {
+            law.multiplier->slip_stiffness = gamma;
+            law.residual->set_constant("gamma", gamma);
+            law.jacobian->set_constant("gamma", gamma);
+            law.functional->set_constant("gamma", gamma);
+        }
+    }
+}
+
+void FacetTerm::set_width_of_exact_friction(double width) {
+    for (Law& law : laws_) {
+        if (law.multiplier != nullptr) {
+            law.regularisation = width;
+        }
+    }
+}
+
+FacetTerm::MultiplierChange FacetTerm::update_multipliers() {
+    MultiplierChange result;
+    for (const Law& law : laws_) {
+        if (law.multiplier == nullptr) {
+            continue;
+        }
+        const std::vector<double> before = law.multiplier->values();
+        tensor_.resize(law.multiplier->functional_size());
+        for_facets(law, [&](const mesh::Facet& facet, std::size_t number) {
+            std::ranges::fill(tensor_, 0.0);
+            law.functional->add_facet(facet, tensor_);
+            law.multiplier->take(number, tensor_);
+        });
+        const std::vector<double>& now = law.multiplier->values();
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            result.change += (now[i] - before[i]) * (now[i] - before[i]);
+            result.size += now[i] * now[i];
+        }
+    }
+    return result;
 }
 
 void FacetTerm::raise_regularisation(double floor) {
     for (Law& law : laws_) {
-        if (law.regularisation > 0) {
+        if (law.multiplier != nullptr) {
+            const double sharpness = floor > law.regularisation ? law.regularisation / floor : 1.0;
+            law.residual->set_constant("gamma", sharpness * slip_stiffness_);
+            law.jacobian->set_constant("gamma", sharpness * slip_stiffness_);
+        } else if (law.regularisation > 0) {
             law.residual->set_constant(law.regularised_by, std::max(floor, law.regularisation));
             law.jacobian->set_constant(law.regularised_by, std::max(floor, law.regularisation));
         }
@@ -81,6 +163,16 @@ bool FacetTerm::has_friction() const {
     return std::ranges::any_of(laws_, [](const Law& law) { return law.name == "friction"; });
 }
 
+template <typename Visit>
+void FacetTerm::for_facets(const Law& law, Visit&& visit) {
+    for (std::size_t i = 0; i < law.facets->size(); ++i) {
+        if (law.multiplier != nullptr) {
+            law.multiplier->show(i);
+        }
+        visit((*law.facets)[i], i);
+    }
+}
+
 void FacetTerm::scatter(const Eigen::VectorXd& x) {
     for (std::size_t i = 0; i < dofs_.size(); ++i) {
         (*unknown_)[static_cast<std::size_t>(dofs_[i])] = x[static_cast<Eigen::Index>(i)];
@@ -101,7 +193,7 @@ void FacetTerm::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) {
     scatter(x);
     value.setZero(x.size());
     for (const Law& law : laws_) {
-        for (const mesh::Facet& facet : *law.facets) {
+        for_facets(law, [&](const mesh::Facet& facet, std::size_t) {
             unknowns_of(facet);
             tensor_.assign(local_.size(), 0.0);
             law.residual->add_facet(facet, tensor_);
@@ -110,19 +202,19 @@ void FacetTerm::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) {
                     value[local_[i]] += tensor_[i];
                 }
             }
-        }
+        });
     }
 }
 
 void FacetTerm::visit_derivative(const Eigen::VectorXd& x, const Piece& visit) {
     scatter(x);
     for (const Law& law : laws_) {
-        for (const mesh::Facet& facet : *law.facets) {
+        for_facets(law, [&](const mesh::Facet& facet, std::size_t) {
             unknowns_of(facet);
             tensor_.assign(local_.size() * local_.size(), 0.0);
             law.jacobian->add_facet(facet, tensor_);
             visit(local_, tensor_);
-        }
+        });
     }
 }
 
@@ -147,7 +239,7 @@ void FacetTerm::add_sensitivity(const Eigen::VectorXd& x, Eigen::VectorXd& noise
 
 void FacetTerm::visit_derivative_of(std::size_t law, const Piece& visit) {
     std::vector<std::int32_t> dofs;
-    for (const mesh::Facet& facet : *laws_[law].facets) {
+    for_facets(laws_[law], [&](const mesh::Facet& facet, std::size_t) {
         dofs.clear();
         for (const std::int32_t node : space_->dofmap.of(facet.cell)) {
             for (std::int32_t c = 0; c < components_; ++c) {
@@ -157,7 +249,7 @@ void FacetTerm::visit_derivative_of(std::size_t law, const Piece& visit) {
         tensor_.assign(dofs.size() * dofs.size(), 0.0);
         laws_[law].jacobian->add_facet(facet, tensor_);
         visit(dofs, tensor_);
-    }
+    });
 }
 
 void FacetTerm::nodal_forces(std::string_view name, std::vector<double>& forces) {
@@ -172,7 +264,9 @@ void FacetTerm::nodal_forces(std::string_view name, std::vector<double>& forces)
     }
     for (const Law& law : laws_) {
         if (law.name == name) {
-            fem::assemble_facets(*law.residual, *law.facets, space_->dofmap, components_, forces);
+            for_facets(law, [&](const mesh::Facet& facet, std::size_t) {
+                fem::assemble_facets(*law.residual, {&facet, 1}, space_->dofmap, components_, forces);
+            });
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fem/block_matrix.h"
 #include "fem/form.h"
 #include "model/contact_surface.h"
 #include "solve/newton.h"
@@ -30,6 +31,26 @@ class FacetTerm : public solve::NonlinearTerm {
     /// Raises the regularisation of every law to at least `floor`; 0 restores the scene's own. That is the
     /// width over which a law turns round: of friction epsilon (m/s), of conductance the limit L (K).
     void raise_regularisation(double floor);
+
+    /// Whether friction is exact on some surface: then evaluate() takes multipliers, and what solves S x +
+    /// F(x) = s does so for Coulomb's law once update_multipliers() changes them no more.
+    bool has_exact_friction() const;
+
+    /// The largest diagonal entry of `matrix` per area at a node of the surfaces where friction is exact, Pa
+    /// s/m; 0 without. This part's only.
+    double stiffness_against_slip(const fem::BlockMatrix& matrix) const;
+
+    /// Sets gamma of exact friction, Pa s/m.
+    void set_slip_stiffness(double gamma);
+
+    /// Says that exact friction turns round over slip velocities of about `width` (m/s), for continuation.
+    void set_width_of_exact_friction(double width);
+
+    /// lam := -sigma_t at the present values of the field. Sums of squares of this part's changes and values.
+    struct MultiplierChange {
+        double change = 0, size = 0;
+    };
+    MultiplierChange update_multipliers();
 
     /// The smallest regularisation of all laws; 0 where none has one.
     double smallest_regularisation() const;
@@ -64,10 +85,16 @@ class FacetTerm : public solve::NonlinearTerm {
         std::string name;
         const std::vector<mesh::Facet>* facets;
         std::unique_ptr<fem::Form> residual, jacobian;
-        const char* regularised_by;        ///< its constant's name
-        double regularisation;             ///< 0: none
+        FrictionMultiplier* multiplier;                    ///< of exact friction, else null
+        std::unique_ptr<fem::Form> functional, node_area;  ///< likewise
+        const char* regularised_by;                        ///< its constant's name
+        double regularisation;             ///< 0: none; of exact friction the width, which is no constant
         const std::vector<double>* datum;  ///< u_old, theta_F: what is added to the unknown, or k times that
     };
+
+    /// Calls visit(facet, its number) with the facet's multiplier shown to the forms.
+    template <typename Visit>
+    static void for_facets(const Law& law, Visit&& visit);
 
     void scatter(const Eigen::VectorXd& x);
     void unknowns_of(const mesh::Facet& facet);
@@ -75,7 +102,8 @@ class FacetTerm : public solve::NonlinearTerm {
     const fem::Space* space_;
     int components_;
     std::vector<double>* unknown_;
-    double step_ = 0;  ///< k, s
+    double step_ = 0;            ///< k, s
+    double slip_stiffness_ = 1;  ///< gamma, Pa s/m
     std::vector<Law> laws_;
     std::vector<std::int32_t> dofs_;
     std::vector<std::int32_t> index_;  ///< [dofs]: number among the contact unknowns, or -1

@@ -123,7 +123,7 @@ std::optional<double> uniform_capacity(const scene::Scene& scene) {
 
 fem::Constants contact_constants(const scene::Contact& contact, double step) {
     // without friction nothing sticks: every slip velocity is above this epsilon
-    fem::Constants constants{{"k", {step}}, {"eps", {-1.0}}};
+    fem::Constants constants{{"k", {step}}, {"eps", {-1.0}}, {"gamma", {1.0}}};
     if (contact.compliance) {
         constants["c_n"] = {contact.compliance->stiffness};
         constants["m"] = {contact.compliance->exponent};

@@ -147,11 +147,11 @@ void FieldGrids::add_surface(std::size_t index, VtuGrid& grid, std::size_t first
     model::FacetFields fields = simulation_->probe(index).fields();
     const double epsilon = surface.laws.friction ? surface.laws.friction->regularisation : -1.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double speed = norm(&fields["slip_velocity"][i * d], d);
-        grid.point_integers.front().values[first + i] = fields["gap"][i] > 0 ? open
-                                                        : speed > epsilon    ? slip
-                                                                             : stick;
+        const bool slips =
+            surface.multiplier ? fields["slips"][i] > 0 : norm(&fields["slip_velocity"][i * d], d) > epsilon;
+        grid.point_integers.front().values[first + i] = fields["gap"][i] > 0 ? open : slips ? slip : stick;
     }
+    fields.erase("slips");
     if (!scene_->material) {
         fields.erase("slip_velocity");
     }

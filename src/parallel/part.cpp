@@ -53,6 +53,14 @@ std::vector<T> rows_of(const std::vector<T>& values, std::size_t width,
     return result;
 }
 
+/// Those of things of which this process has all.
+NodeNumbers number_all(std::size_t count) {
+    NodeNumbers numbers{std::vector<std::int32_t>(count), {0, static_cast<std::int32_t>(count)}, 0, {}};
+    std::iota(numbers.global.begin(), numbers.global.end(), 0);
+    numbers.whole = numbers.global;
+    return numbers;
+}
+
 mesh::Mesh part_of(const mesh::Mesh& whole, const Selection& cells) {
     mesh::Mesh part = whole;
     const auto width = static_cast<std::size_t>(whole.vertices_per_cell);
@@ -128,11 +136,9 @@ Part take_part(mesh::Mesh mesh, fem::Space space, int processes, int rank) {
     const auto all_cells = std::int64_t{mesh.cell_count()};
     const auto all_vertices = static_cast<std::int64_t>(mesh.points.size());
     if (processes == 1) {
-        NodeNumbers numbers{
-            std::vector<std::int32_t>(space.nodes.size()), {0, space.dofmap.node_count}, 0, {}};
-        std::iota(numbers.global.begin(), numbers.global.end(), 0);
-        numbers.whole = numbers.global;
-        return {std::move(mesh), std::move(space), std::move(numbers), all_cells, all_vertices};
+        NodeNumbers nodes = number_all(space.nodes.size()), facets = number_all(mesh.facets.size());
+        return {std::move(mesh),   std::move(space), std::move(nodes),
+                std::move(facets), all_cells,        all_vertices};
     }
     const std::vector<std::int32_t> cell_owners = partition(mesh, processes);
     std::vector<std::int32_t> mine;
@@ -149,7 +155,18 @@ Part take_part(mesh::Mesh mesh, fem::Space space, int processes, int rank) {
     for (std::int32_t& node : cell_nodes) {
         node = nodes(node);
     }
-    Part part{part_of(mesh, cells), space, number(owners, nodes.kept, processes, rank), all_cells,
+    std::vector<std::int32_t> facet_owners, facets;
+    for (const mesh::Facet& facet : mesh.facets) {
+        facet_owners.push_back(cell_owners[static_cast<std::size_t>(facet.cell)]);
+        if (facet_owners.back() == rank) {
+            facets.push_back(static_cast<std::int32_t>(facet_owners.size()) - 1);
+        }
+    }
+    Part part{part_of(mesh, cells),
+              space,
+              number(owners, nodes.kept, processes, rank),
+              number(facet_owners, facets, processes, rank),
+              all_cells,
               all_vertices};
     part.space.nodes = rows_of(space.nodes, 1, nodes.kept);
     part.space.dofmap.cell_nodes = std::move(cell_nodes);

@@ -30,6 +30,7 @@ struct Part {
     mesh::Mesh mesh;
     fem::Space space;
     NodeNumbers numbers;
+    NodeNumbers facet_numbers;             ///< the same of mesh.facets, each of which one process has
     std::int64_t cells = 0, vertices = 0;  ///< of the whole mesh
 };
 

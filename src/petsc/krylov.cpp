@@ -305,6 +305,12 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
     }
 }
 
+void KrylovProblem::evaluate_at(const Eigen::VectorXd& x, solve::NonlinearTerm& F) {
+    check(VecPlaceArray(x_, x.data()));
+    residual(F, x_);
+    check(VecResetArray(x_));
+}
+
 double KrylovProblem::largest_unknown(const Eigen::VectorXd& start) {
     double largest = start.size() > 0 ? start.cwiseAbs().maxCoeff() : 0.0;
     check(VecCopy(rhs_, residual_));

@@ -22,6 +22,7 @@ class KrylovProblem final : public solve::StepProblem {
     const std::vector<std::int32_t>& contact_dofs() const override { return contact_dofs_; }
     Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) override;
     solve::NewtonResult solve(solve::NonlinearTerm& F, Eigen::VectorXd& x) override;
+    void evaluate_at(const Eigen::VectorXd& x, solve::NonlinearTerm& F) override;
     double largest_unknown(const Eigen::VectorXd& start) override;
     bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) override;
 

@@ -186,6 +186,20 @@ bool is_fully_prescribed(const Settings& settings, const std::string& name) {
          second->key + ": conflicts with " + first->key + " (" + first->where.brief() + "): " + message);
 }
 
+/// The multiplier of exact friction is a function of degree 2 on each facet (model/friction_multiplier.h),
+/// which cannot take any values at the points of every rule: not at more than it has coefficients, nor at the
+/// 6 points of degree 3 on a triangle, which lie on an ellipse.
+void check_exact_friction(const Settings& settings, const std::string& contact) {
+    const std::string epsilon = contact + "friction.regularisation";
+    const json rule = settings.has(contact + "quadrature") ? settings.value(contact + "quadrature") : json(4);
+    const auto served = {json("vertex"), json(1), json(2), json(4)};
+    if (settings.written(epsilon) && settings.value(epsilon) == 0 &&
+        std::find(served.begin(), served.end(), rule) == served.end()) {
+        fail_at(settings, contact + "quadrature",
+                "expected 1, 2, 4 or \"vertex\" where friction.regularisation = 0, found " + show(rule));
+    }
+}
+
 void check_boundary(const Settings& settings, const std::string& boundary) {
     const std::string at = "boundary." + boundary + ".";
     if (const int i = traction_on_prescribed(settings, at); i >= 0) {
@@ -197,6 +211,7 @@ void check_boundary(const Settings& settings, const std::string& boundary) {
         fail_pair(settings, at + "displacement", at + "contact.compliance",
                   "every displacement component is prescribed; make one \"free\"");
     }
+    check_exact_friction(settings, at + "contact.");
     if (settings.written(at + "contact") && !settings.written(at + "contact.compliance") &&
         !settings.written(at + "contact.conductance")) {
         fail_at(settings, at + "contact",

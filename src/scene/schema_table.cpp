@@ -203,10 +203,10 @@ std::vector<Key> boundary_keys() {
          .required = true, .needs = {"boundary.NAME.contact.compliance"}, .example = "0.2",
          .description = "Coulomb's friction coefficient mu: the friction bound is mu p_n."},
         {.name = "boundary.NAME.contact.friction.regularisation", .type = Type::number, .unit = "m/s",
-         .range = positive, .required = true, .needs = {"boundary.NAME.contact.compliance"},
+         .range = not_negative, .required = true, .needs = {"boundary.NAME.contact.compliance"},
          .example = "1e-4",
-         .description = "Slip velocity epsilon below which friction is smoothed; Coulomb's law is the limit "
-         "0."},
+         .description = "Slip velocity epsilon below which friction is smoothed; 0: Coulomb's law itself, with "
+         "contact.quadrature 1, 2, 4 or vertex."},
 
         {.name = "boundary.NAME.contact.conductance.coefficient", .type = Type::number, .unit = "W/(m^2 K)",
          .range = not_negative, .required = true, .needs = {"heat"}, .example = "1.0",

@@ -22,6 +22,11 @@ NewtonResult CondensedProblem::solve(NonlinearTerm& F, Eigen::VectorXd& x) {
     return newton_.solve(system_.schur_complement(), rhs_, F, x);
 }
 
+void CondensedProblem::evaluate_at(const Eigen::VectorXd& x, NonlinearTerm& F) {
+    Eigen::VectorXd value;
+    F.evaluate(x, value);
+}
+
 double CondensedProblem::largest_unknown(const Eigen::VectorXd& start) {
     if (rhs_.size() == 0) {
         return 0.0;

@@ -17,6 +17,7 @@ class CondensedProblem : public StepProblem {
     const std::vector<std::int32_t>& contact_dofs() const override { return system_.contact_dofs(); }
     Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) override;
     NewtonResult solve(NonlinearTerm& F, Eigen::VectorXd& x) override;
+    void evaluate_at(const Eigen::VectorXd& x, NonlinearTerm& F) override;
     double largest_unknown(const Eigen::VectorXd& start) override;
     bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) override;
     std::optional<KeptDerivative> kept_derivative() const override {

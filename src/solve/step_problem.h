@@ -28,6 +28,9 @@ class StepProblem {
     /// From the start value in x to the solution; without contact there is nothing to iterate.
     virtual NewtonResult solve(NonlinearTerm& F, Eigen::VectorXd& x) = 0;
 
+    /// Evaluates F at x, so that what F reads is x.
+    virtual void evaluate_at(const Eigen::VectorXd& x, NonlinearTerm& F) = 0;
+
     /// The largest entry of the start value and of the solution without F: a bound of what friction meets.
     virtual double largest_unknown(const Eigen::VectorXd& start) = 0;
 

@@ -29,6 +29,7 @@ class Scripted : public solve::StepProblem {
         ends_->erase(ends_->begin());
         return next;
     }
+    void evaluate_at(const Eigen::VectorXd&, solve::NonlinearTerm&) override {}
     double largest_unknown(const Eigen::VectorXd&) override { return 1e-3; }
     bool finish(const Eigen::VectorXd&, std::vector<double>&) override { return true; }
 

@@ -107,6 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(CutScene{"paper", rubbing}, CutScene{"paper", with({"time.scheme=\"bdf2\""})},
                     CutScene{"paper", with({"time.scheme=\"midpoint\"", "time.coupling=\"iterated\"",
                                             "time.coupling_tolerance=1e-12"})},
+                    CutScene{"paper", with({"boundary.bottom.contact.friction.regularisation=0"})},
                     CutScene{"anisotropic", {"time.step=0.05", "time.end=0.6"}},
                     CutScene{"paper", with({"time.steps=4", "time.tolerance=2e-3"})},
                     CutScene{"paper",

@@ -8,21 +8,36 @@ namespace thermocontact::march {
 namespace {
 
 TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
-    State state{3, 0.25, {1, 2},   {3, 4},   {5},  0.1, {6, 7}, {8, 9}, {10}, 2,
-                5, 0.3,  {11, 12}, {13, 14}, {15}, 16,  17,     18,     19};
+    State state{3, 0.25, {1, 2}, {3, 4},   {5},      {20, 21}, 0.1, {6, 7}, {8, 9}, {10},
+                2, 5,    0.3,    {11, 12}, {13, 14}, {15},     16,  17,     18,     19};
     std::vector<std::string> names;
     visit_members(std::as_const(state), [&](const std::string& name, const auto&) { names.push_back(name); });
-    EXPECT_EQ(names,
-              (std::vector<std::string>{"step", "time", "displacement", "velocity", "temperature",
-                                        "last_step", "displacement_rate", "velocity_rate", "temperature_rate",
-                                        "halvings", "since_change", "curvature_lag", "displacement_curvature",
-                                        "velocity_curvature", "temperature_curvature", "displacement_scale",
-                                        "deformation_scale", "velocity_scale", "temperature_scale"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"step",
+                                               "time",
+                                               "displacement",
+                                               "velocity",
+                                               "temperature",
+                                               "friction_multiplier",
+                                               "last_step",
+                                               "displacement_rate",
+                                               "velocity_rate",
+                                               "temperature_rate",
+                                               "halvings",
+                                               "since_change",
+                                               "curvature_lag",
+                                               "displacement_curvature",
+                                               "velocity_curvature",
+                                               "temperature_curvature",
+                                               "displacement_scale",
+                                               "deformation_scale",
+                                               "velocity_scale",
+                                               "temperature_scale"}));
     visit_members(state, [](const std::string&, auto& member) { member = {}; });
     EXPECT_EQ(state.step, 0);
     EXPECT_EQ(state.time, 0);
     EXPECT_EQ(state.last_step, 0);
     EXPECT_TRUE(state.displacement.empty() && state.velocity.empty() && state.temperature.empty());
+    EXPECT_TRUE(state.friction_multiplier.empty());
     EXPECT_TRUE(state.displacement_rate.empty() && state.velocity_rate.empty() &&
                 state.temperature_rate.empty());
     EXPECT_EQ(state.halvings, 0);

@@ -147,8 +147,12 @@ const Mistake wrong_values[] = {
      "scene.toml:16: boundary.top.temperature: expected a number or an expression in x, y, t (K), found inf"},
     {"Friction", 20, "coefficient = -0.1",
      "scene.toml:20: boundary.bottom.contact.friction.coefficient: expected a number >= 0, found -0.1"},
-    {"Regularisation", 21, "regularisation = 0",
-     "scene.toml:21: boundary.bottom.contact.friction.regularisation: expected a number > 0 (m/s), found 0"},
+    {"Regularisation", 21, "regularisation = -1",
+     "scene.toml:21: boundary.bottom.contact.friction.regularisation: expected a number >= 0 (m/s), found "
+     "-1"},
+    {"QuadratureOfExactFriction", 21, "regularisation = 0\n[boundary.bottom.contact]\nquadrature = 3",
+     "scene.toml:23: boundary.bottom.contact.quadrature: expected 1, 2, 4 or \"vertex\" where "
+     "friction.regularisation = 0, found 3"},
     {"Exponent", 18, "stiffness = 1\nexponent = 0.5",
      "scene.toml:19: boundary.bottom.contact.compliance.exponent: expected a number >= 1, found 0.5"},
     {"Quadrature", 17, "[boundary.bottom.contact]\nquadrature = 10\n[boundary.bottom.contact.compliance]",

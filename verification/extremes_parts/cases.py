@@ -9,7 +9,7 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from extremes_parts.parameters import BASE, BY_NAME, PAIRS, PARAMETERS, Parameter
+from extremes_parts.parameters import BASE, BY_NAME, CONTACT, PAIRS, PARAMETERS, Parameter
 from extremes_parts.situations import situations
 from matrix_parts.scenes import Flat, changed
 
@@ -25,6 +25,8 @@ MENDED = frozenset(
         *(f"draw {number}" for number in (69, 72, 74, 150, 157, 199, 217)),
     )
 )
+EXACT_FRICTION = {f"{CONTACT}.friction.regularisation": 0.0}
+BESIDE_EXACT_FRICTION = ("c_n", "mu", "poisson", "viscosity", "young", "density", "T")
 GRID = 4  # values of each of a pair
 SEED = 20260101
 
@@ -32,7 +34,7 @@ SEED = 20260101
 @dataclass(frozen=True)
 class Case:
     name: str
-    group: str  # "alone", "pair", "draw", "situation"
+    group: str  # "alone", "exact friction", "pair", "draw", "situation"
     scene: Flat
     values: tuple[tuple[str, float], ...] = ()
     singular: bool = (
@@ -41,7 +43,7 @@ class Case:
 
 
 def all_cases(draws: int) -> list[Case]:
-    cases = [*_alone(), *_pairs(), *_draws(draws)]
+    cases = [*_alone(), *_exact_friction(), *_pairs(), *_draws(draws)]
     cases += [Case(s.name, "situation", s.scene, (), s.singular) for s in situations()]
     names = [case.name for case in cases]
     if len(set(names)) != len(names):
@@ -62,6 +64,15 @@ def _alone() -> Iterator[Case]:
     for parameter in PARAMETERS:
         for value in parameter.values:
             yield _case("alone", [(parameter, value)])
+
+
+def _exact_friction() -> Iterator[Case]:
+    """epsilon = 0, alone and beside the limits of what friction works against."""
+    yield Case("epsilon = 0", "exact friction", {**BASE, **EXACT_FRICTION})
+    for parameter in (BY_NAME[name] for name in BESIDE_EXACT_FRICTION):
+        for value in parameter.values:
+            case = _case("", [(parameter, value)])
+            yield Case(f"epsilon = 0, {case.name}", "exact friction", {**case.scene, **EXACT_FRICTION})
 
 
 def _spread(parameter: Parameter) -> list[float]:

@@ -11,7 +11,7 @@ from extremes_parts.judge import BAD, COMPLETED, STOPPED, Verdict
 from extremes_parts.runs import Ended
 from extremes_parts.second_opinion import Opinion
 
-GROUPS = ("alone", "pair", "draw", "situation")
+GROUPS = ("alone", "exact friction", "pair", "draw", "situation")
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from known_answers_parts.table import Row, largest, orders, relative
 
 GRAVITY = 9.81  # m/s2, in the scenes
 CREEP_TANGENT, SLIDE_TANGENT = 0.2, 0.5  # of the slopes in the scenes
+EXACT = {"boundary__bottom__contact__friction__regularisation": 0.0}  # Coulomb's law itself
 
 
 def mass(scene: dict[str, Any]) -> float:
@@ -38,6 +39,20 @@ def slope_creep(driver: Driver) -> list[Row]:
         relative("tangential force, N/m", weight * math.sin(angle), contact["tangential_force"], 1e-10),
         relative("normal force, N/m", weight * math.cos(angle), contact["normal_force"], 1e-10),
         Row("share of the contact that slips faster than eps", 0.0, contact["slip_fraction"], 0.0),
+        *rest_on_slope(driver, weight * math.sin(angle)),
+    ]
+
+
+def rest_on_slope(driver: Driver, pull: float) -> list[Row]:
+    """Without regularisation nothing creeps."""
+    run = driver.run("slope-creep", **EXACT)
+    contact = run.final["contact"]["bottom"]
+    speed_of_a_step = GRAVITY * run.scene["time"]["end"] / run.scene["time"]["steps"]
+    velocity = run.body().point_data["velocity"]
+    return [
+        largest("velocity, eps = 0, m/s, every node", velocity, 1e-12 * speed_of_a_step),
+        relative("tangential force, eps = 0, N/m", pull, contact["tangential_force"], 1e-10),
+        Row("share of the contact that slips, eps = 0", 0.0, contact["slip_fraction"], 0.0),
     ]
 
 
@@ -61,7 +76,23 @@ def sliding_block(driver: Driver) -> list[Row]:
         kinetic = kinetic_energy_at_first(run)
         missing.append(1 - float(np.sum(run.history["friction_dissipation"])) / kinetic)
         rows += stopping_rows(run, steps) + energy_rows(run, kinetic, missing[-1], steps)
+    rows += exact_rest(driver)
     return rows + orders("energy that friction does not take", 1.0, missing, 0.05)
+
+
+def exact_rest(driver: Driver) -> list[Row]:
+    """Without regularisation the surface stops altogether, while the block's shear still dies out."""
+    run = driver.run("sliding-block", time__steps=60, output__fields=["contact"], **EXACT)
+    kinetic = kinetic_energy_at_first(run)
+    slip = run.contact().point_data["slip_velocity"]
+    start = float(run.scene["initial"]["velocity"][0])
+    return [
+        largest("slip velocity at the end, eps = 0, m/s, every node", slip, 1e-12 * start),
+        Row(
+            "share that slips at the end, eps = 0", 0.0, run.final["contact"]["bottom"]["slip_fraction"], 0.0
+        ),
+        largest("sum of all energies / kinetic at first, eps = 0", energy_sum(run, kinetic) / kinetic, 1e-9),
+    ]
 
 
 def kinetic_energy_at_first(run: Run) -> float:

@@ -23,7 +23,7 @@ def refusals(schema: Sequence[Entry]) -> list[Refusal]:
     here = [entry for entry in schema if not str(entry["key"]).startswith("region.")]
     found = [refusal for entry in here for refusal in _of(entry, schema)]
     unknown = Refusal("mesh.no_such_key", "an unknown key", BASES[BASE] | {"mesh.no_such_key": 1})
-    return [*found, unknown, *_graded(), *_in_space(schema)]
+    return [*found, unknown, *_graded(), *_exact_friction(), *_in_space(schema)]
 
 
 def _graded() -> Iterator[Refusal]:
@@ -31,6 +31,13 @@ def _graded() -> Iterator[Refusal]:
     yield Refusal(front, "a rectangle has no such side", base | {front: 2.0})
     yield Refusal("mesh.grading.lfet", "an unknown side", base | {"mesh.grading.lfet": 2.0})
     yield Refusal(left, "cells too thin to tell from round-off", base | {left: 1e14})
+
+
+def _exact_friction() -> Iterator[Refusal]:
+    rule, epsilon = (f"boundary.{SIDE}.contact.{key}" for key in ("quadrature", "friction.regularisation"))
+    for degree in (3, 5, 9):
+        changes = {rule: degree, epsilon: 0.0}
+        yield Refusal(rule, f"no multipliers for the points of degree {degree}", BASES[BASE] | changes)
 
 
 def _in_space(schema: Sequence[Entry]) -> Iterator[Refusal]:

@@ -2,7 +2,7 @@
 it, variations_in_space.py has the one of bodies in space."""
 
 from matrix_parts.cases import Variation, vary
-from matrix_parts.scenes import ABSENT, BESIDE, OPPOSITE, SIDES, base_name
+from matrix_parts.scenes import ABSENT, BESIDE, OPPOSITE, SIDES, Flat, base_name
 
 DEFAULT = "the default, written out"
 NAME_ONLY = "a name"
@@ -232,7 +232,7 @@ def contact_on(side: str, shape: str = "rectangle") -> dict[str, list[Variation]
             *vary(base, f"{friction}.coefficient", 0.0, 1.2),
             Variation(base, frictionless),
         ],
-        "contact.friction.regularisation": vary(base, f"{friction}.regularisation", 1e-5, 0.5),
+        "contact.friction.regularisation": vary(base, f"{friction}.regularisation", 1e-5, 0.5, 0.0),
         "contact.conductance.coefficient": [
             *vary(base, f"{conductance}.coefficient", 0.0, 9.0),
             Variation(base, {conductance: ABSENT}),
@@ -256,6 +256,29 @@ def _every_rule() -> list[Variation]:
         *vary(CONTACT, quadrature, 2, 3, 6, 8, 9),
         *vary("contact without heat", quadrature, 1, 9, "vertex", beside={"space.degree": 2}),
     ]
+
+
+def _exact_friction() -> list[Variation]:
+    """What the multipliers of friction depend on: the rule, the degree, the cell, the scheme, the strategy."""
+    epsilon, quadrature = (
+        f"boundary.bottom.contact.{key}" for key in ("friction.regularisation", "quadrature")
+    )
+    settings: list[Flat] = [
+        {quadrature: 1},
+        {quadrature: 2, "mesh.cell": "tensor"},
+        {quadrature: "vertex"},
+        {"space.degree": 2},
+        {"space.degree": 2, "mesh.cell": "tensor", quadrature: "vertex"},
+        {"time.scheme": "bdf2"},
+        {"time.scheme": "midpoint"},
+        {"solver.strategy": "newton-krylov"},
+        {
+            "boundary.bottom.contact.compliance.exponent": 1.5,
+            "material.density": ABSENT,
+            "initial.velocity": ABSENT,
+        },
+    ]
+    return [variation for beside in settings for variation in vary(CONTACT, epsilon, 0.0, beside=beside)]
 
 
 def _solver_and_output() -> dict[str, list[Variation]]:
@@ -285,6 +308,7 @@ def _variations() -> dict[str, list[Variation]]:
         for key, variations in {**_conditions(side), **contact_on(side)}.items():
             table.setdefault(f"boundary.NAME.{key}", []).extend(variations)
     table["boundary.NAME.contact.quadrature"] += _every_rule()
+    table["boundary.NAME.contact.friction.regularisation"] += _exact_friction()
     return table
 
 

@@ -5,7 +5,7 @@ triangles and quadrilaterals. ALIKE are the keys that know nothing of it.
 """
 
 from matrix_parts.cases import Variation, vary
-from matrix_parts.scenes import ABSENT, AXIS, BESIDE, OPPOSITE, SIDES, base_name
+from matrix_parts.scenes import ABSENT, AXIS, BESIDE, OPPOSITE, SIDES, Flat, base_name
 from matrix_parts.variations import DEFAULT, ISOTROPIC, SOLVER_ONLY, contact_on
 
 ALIKE = {
@@ -209,6 +209,25 @@ def _every_rule() -> list[Variation]:
     ]
 
 
+def _exact_friction() -> list[Variation]:
+    """The multipliers of friction on triangles and quadrilaterals, by every rule that they can take."""
+    epsilon, quadrature = (
+        f"boundary.bottom.contact.{key}" for key in ("friction.regularisation", "quadrature")
+    )
+    settings: list[Flat] = [
+        {quadrature: 1},
+        {quadrature: 2},
+        {quadrature: "vertex"},
+        {**SECOND_DEGREE, quadrature: "vertex"},
+        {**SECOND_DEGREE},
+        HEXAHEDRA,
+        {**HEXAHEDRA, **SECOND_DEGREE, quadrature: "vertex"},
+        {"time.scheme": "generalized-alpha"},
+        {"solver.strategy": "newton-krylov"},
+    ]
+    return [variation for beside in settings for variation in vary(CONTACT, epsilon, 0.0, beside=beside)]
+
+
 def _strategies() -> dict[str, list[Variation]]:
     """Multigrid's coarse spaces hold the six rigid motions."""
     key = "solver.strategy"
@@ -226,6 +245,7 @@ def _variations() -> dict[str, list[Variation]]:
         for key, variations in {**_conditions(side), **laws}.items():
             table.setdefault(f"boundary.NAME.{key}", []).extend(variations)
     table["boundary.NAME.contact.quadrature"] += _every_rule()
+    table["boundary.NAME.contact.friction.regularisation"] += _exact_friction()
     return table
 
 

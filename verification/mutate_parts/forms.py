@@ -17,6 +17,14 @@ SIGNS = (
         "conductance", "forms/conductance.py", "s = theta - theta_F", "s = theta + theta_F", "sign", "theta_F"
     ),
     Mutation(
+        "coulomb",
+        "forms/coulomb.py",
+        "dot(u_old + k * w, n) - g\n",
+        "dot(u_old - k * w, n) - g\n",
+        "sign",
+        "u_n = u_old + k w in friction's bound",
+    ),
+    Mutation(
         "conduction",
         "forms/conduction.py",
         "conduction = dot(",
@@ -123,6 +131,38 @@ OTHERS = (
         "conditional(lt(s, -L), L, s)",
         "sign",
         "a cold body is warmed, not cooled",
+    ),
+    Mutation(
+        "exact-friction-bound",
+        "forms/coulomb.py",
+        "conditional(gt(size, p_t), p_t / size, 1) * t",
+        "conditional(gt(size, p_t), 1, 1) * t",
+        "missing",
+        "friction is at most mu p_n",
+    ),
+    Mutation(
+        "exact-friction-stick",
+        "forms/coulomb.py",
+        "minus_sigma_t = projected(lam + gamma * w_t)",
+        "minus_sigma_t = projected(gamma * w_t)",
+        "missing",
+        "without the multiplier what sticks creeps by p_t/gamma",
+    ),
+    Mutation(
+        "exact-friction-threshold",
+        "forms/coulomb.py",
+        "does_slip = gt(gamma * speed, SLIPS * p_t)",
+        "does_slip = gt(gamma * speed, p_t / SLIPS)",
+        "factor",
+        "what slips is reported so",
+    ),
+    Mutation(
+        "exact-friction-traction",
+        "forms/coulomb.py",
+        "traction = at_nodes(-dot(minus_sigma_t_now, v))",
+        "traction = at_nodes(dot(minus_sigma_t_now, v))",
+        "sign",
+        "the foundation pulls against the slip",
     ),
     Mutation(
         "friction-regularisation",

@@ -4,6 +4,30 @@ from .mutation import Mutation
 
 MUTATIONS = (
     Mutation(
+        "multiplier-not-renewed",
+        "src/march/balance.cpp",
+        "constexpr int most_updates = 50;",
+        "constexpr int most_updates = 0;",
+        "missing",
+        "exact friction is solved with the multiplier that it leads to",
+    ),
+    Mutation(
+        "multiplier-after-a-failure",
+        "src/march/momentum.cpp",
+        "model::set_multipliers(*surfaces_, *mesh_, state.friction_multiplier);  // not those of a step that failed",
+        "",
+        "state",
+        "a step begins with the multiplier of the state, not with that of an attempt that failed",
+    ),
+    Mutation(
+        "multiplier-not-kept",
+        "src/march/momentum.cpp",
+        "state.friction_multiplier = model::multipliers_of(*surfaces_, *mesh_);",
+        "",
+        "state",
+        "a restart goes on with the multiplier of the last step",
+    ),
+    Mutation(
         "cycles-uncounted",
         "src/march/balance.cpp",
         "cycles_ += result.end == solve::NewtonEnd::cycling ? 1 : 0;",

@@ -54,8 +54,8 @@ MUTATIONS = (
     Mutation(
         "fields-slip",
         "src/output/fields.cpp",
-        "speed > epsilon ",
-        "speed < epsilon ",
+        "i * d], d) > epsilon;",
+        "i * d], d) < epsilon;",
         "sign",
         "slip is faster than the regularisation",
     ),

@@ -4,6 +4,14 @@ from .mutation import Mutation
 
 MUTATIONS = (
     Mutation(
+        "exact-friction-rule",
+        "src/scene/rules.cpp",
+        "json(1), json(2), json(4)}",
+        "json(1), json(2), json(3), json(4)}",
+        "range",
+        "degree 3 on a triangle has points that no multiplier serves",
+    ),
+    Mutation(
         "tensors-shear",
         "src/scene/tensors.cpp",
         "i < d ? mu2 : mu2 / 2;",

@@ -7,6 +7,7 @@ import ufl
 from dolfinx import fem
 
 from oracle_parts.domain import Loads, Nodal, Prescribed
+from oracle_parts.exact_friction import FrictionTerm, solve_with_multipliers
 from oracle_parts.newton import StepEquation, Term
 from oracle_parts.portability import petsc_vector
 from oracle_parts.problem import Piece, Problem, apply_voigt, assembled_matrix, strain
@@ -92,8 +93,11 @@ class Momentum:
                     self.prescribed.add(side, component, value)
 
         # The contact terms, implicit in u_s = u_b + tau w_s
-        moved = self.base_u + tau * self.stage_w
-        terms = [term for side in problem.contacts if (term := side.momentum_term(moved, self.stage_w))]
+        terms = [
+            term for side in problem.contacts for term in side.momentum_terms(self.base_u, tau, self.stage_w)
+        ]
+        self.frictions = [term for term in terms if isinstance(term, FrictionTerm)]
+        self.comm, self.tolerance = problem.mesh.comm, scene.tolerance
         self.equations = Equations(
             tau,
             lambda: StepEquation(
@@ -153,7 +157,12 @@ class Momentum:
         if self.thermal:
             self.coupling_theta.x.array[:] = theta
             b.axpy(1.0, self.thermal * self.coupling_vector)
-        iterations = self.equations.of(step).solve(b)
+        equation = self.equations.of(step)
+        for term in self.frictions:
+            term.friction.set_stiffness(equation.matrix)
+        iterations = solve_with_multipliers(
+            lambda: equation.solve(b), self.frictions, self.comm, self.tolerance
+        )
         self.stage_u.x.array[:] = self.base_u.x.array + step.tau * self.stage_w.x.array
         return iterations
 

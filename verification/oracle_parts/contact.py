@@ -12,7 +12,8 @@ from mpi4py import MPI
 
 from oracle_parts import laws
 from oracle_parts.domain import Nodal, Side, node_points
-from oracle_parts.newton import Term
+from oracle_parts.exact_friction import ExactFriction, FrictionTerm
+from oracle_parts.newton import CompiledTerm, Term
 from oracle_parts.portability import cell_nodes, lagrange_space
 from oracle_parts.scene import Contact, Scene
 
@@ -85,6 +86,10 @@ class ContactSide:
             limit = contact.conductance.limit
             self.limit = None if limit is None else _constant(mesh, limit)
         self._locate_nodes(side, scene)
+        self.exact: ExactFriction | None = None
+        if contact.friction and contact.friction.regularisation == 0.0:
+            rule = quadrature_metadata(contact.quadrature, scene.degree, self.facet)
+            self.exact = ExactFriction(self, scene, self.local_facets, rule)
 
     def update(self, time: float) -> None:
         self.gap.update(time)
@@ -115,16 +120,19 @@ class ContactSide:
         k_c = laws.conductance(laws.UFL, r, self.coefficient, self.onset)
         return k_c * laws.clamped(laws.UFL, theta - self.foundation.function, self.limit)
 
-    def momentum_term(self, u_new: Any, w: Any) -> Term | None:
-        """u_new is the UFL expression of u_n in terms of the unknown w."""
+    def momentum_terms(self, u_base: Any, tau: Any, w: Any) -> list[Term]:
+        """The displacement is u_base + tau w with the unknown w."""
         if not self.contact.compliance:
-            return None
+            return []
         v = ufl.TestFunction(w.function_space)
-        r = self.penetration(u_new)
+        r = self.penetration(u_base + tau * w)
         form = self.pressure(r) * ufl.dot(v, self.normal) * self.ds
-        if self.contact.friction:
+        if self.contact.friction and not self.exact:
             form += ufl.dot(self.friction_stress(r, w), self.tangential(v)) * self.ds
-        return _term(form, w)
+        terms: list[Term] = [_term(form, w)]
+        if self.exact:
+            terms.append(FrictionTerm(self.exact, u_base, tau, w))
+        return terms
 
     def heat_term(self, u: Any | None, theta: Any) -> Term | None:
         if not self.contact.conductance:
@@ -143,7 +151,7 @@ class ContactSide:
         normal, friction, slip, heat = zero, d * [zero], closed, zero
         if self.contact.compliance:
             normal = self.pressure(r)
-        if self.contact.friction:
+        if self.contact.friction and not self.exact:
             friction = [self.friction_stress(r, w)[axis] for axis in range(d)]
             speed = ufl.sqrt(ufl.dot(self.tangential(w), self.tangential(w)))
             slip = closed * ufl.conditional(speed > self.epsilon, 1.0, 0.0)
@@ -153,10 +161,12 @@ class ContactSide:
         q = ufl.TestFunction(lagrange_space(self.mesh, 0, len(integrands)))
         self.integrals = fem.form(ufl.dot(ufl.as_vector(integrands), q) * self.ds)
 
-    def measures(self, u: Any | None) -> dict[str, float]:
+    def measures(self, u: Any | None, w: Any | None) -> dict[str, float]:
         vector = fem_petsc.assemble_vector(self.integrals)
         local = vector.array.reshape(-1, 5 + len(self.normal)).sum(axis=0)
         vector.destroy()
+        if self.exact and u is not None and w is not None:
+            local[5:], local[2] = self.exact.force(u.x.array, w.x.array)
         normal, closed, slip, heat, area, *friction = self.mesh.comm.allreduce(local)
         deepest = max(0.0, self.nodal_penetration(u).max(initial=0.0))
         values = (
@@ -182,6 +192,7 @@ class ContactSide:
         if self.displacement_space is not None:
             self.vector_nodes = _facet_nodes(self.displacement_space, self.cells, local)
         points = node_points(self.scalar_space, scene)
+        self.local_facets = local
         self.points: Array = points[self.scalar_nodes]
         normals = _normals(self.points, self.facet)
         cell_points = points[cell_nodes(self.scalar_space, topology.index_map(tdim).size_local)[self.cells]]
@@ -210,7 +221,10 @@ class ContactSide:
         if contact.compliance:
             pressure = laws.pressure(m, r, contact.compliance.stiffness, contact.compliance.exponent)
             result["pressure"] = pressure
-        if contact.friction:
+        if self.exact:
+            result["traction"], slips = self.exact.nodal_traction(slip, self.exact.bound(r))
+            result["state"] = np.where((r >= 0.0) & ~slips, STICK, result["state"])
+        elif contact.friction:
             epsilon = contact.friction.regularisation
             norm = laws.regularised_norm(m, np.sum(slip**2, axis=2), epsilon)
             result["traction"] = -contact.friction.coefficient * (pressure / norm)[:, :, None] * slip
@@ -228,9 +242,9 @@ def _constant(mesh: Any, value: float) -> Any:
     return fem.Constant(mesh, float(value))
 
 
-def _term(form: Any, unknown: Any) -> Term:
+def _term(form: Any, unknown: Any) -> CompiledTerm:
     trial = ufl.TrialFunction(unknown.function_space)
-    return Term(fem.form(form), fem.form(ufl.derivative(form, unknown, trial)))
+    return CompiledTerm(fem.form(form), fem.form(ufl.derivative(form, unknown, trial)))
 
 
 def _normals(points: Array, facet: str) -> Array:

@@ -7,7 +7,7 @@ sparsity pattern never changes, so that MUMPS analyses it once. Without contact 
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -24,12 +24,28 @@ SMALLEST_STEP = 2.0**-12
 SUFFICIENT_DECREASE = 1e-4
 
 
+class Term(Protocol):
+    """A part of c(x): what one law gives on one contact side, and its derivative without rows and columns of `bcs`."""
+
+    def add_residual(self, vector: Any) -> None:
+        ...
+
+    def add_jacobian(self, matrix: Any, bcs: Sequence[Any]) -> None:
+        ...
+
+
 @dataclass(frozen=True)
-class Term:
-    """c(x) of one contact side and its derivative, as compiled forms."""
+class CompiledTerm:
+    """Both as compiled forms."""
 
     residual: Any
     jacobian: Any
+
+    def add_residual(self, vector: Any) -> None:
+        fem_petsc.assemble_vector(vector, self.residual)
+
+    def add_jacobian(self, matrix: Any, bcs: Sequence[Any]) -> None:
+        fem_petsc.assemble_matrix(matrix, self.jacobian, bcs)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True)
@@ -138,7 +154,7 @@ class StepEquation:
             with self.contact.localForm() as local:
                 local.set(0.0)
             for term in self.terms:
-                fem_petsc.assemble_vector(self.contact, term.residual)
+                term.add_residual(self.contact)
             self.contact.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
             self.contact.array[self.constrained] = 0.0
             self.residual.axpy(1.0, self.contact)
@@ -149,7 +165,7 @@ class StepEquation:
         if self.terms:
             self.constant.copy(self.jacobian, PETSc.Mat.Structure.SAME_NONZERO_PATTERN)
             for term in self.terms:
-                fem_petsc.assemble_matrix(self.jacobian, term.jacobian, self.bcs)  # type: ignore[arg-type]
+                term.add_jacobian(self.jacobian, self.bcs)
                 self.jacobian.assemble()
         start = time.perf_counter()
         self.solver.solve(self.residual, self.correction)

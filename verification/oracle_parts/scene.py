@@ -10,7 +10,18 @@ import numpy.typing as npt
 
 from oracle_parts.errors import SceneError
 from oracle_parts.expressions import Expression
-from oracle_parts.tables import Table, count, expression, list_of, load_toml, number, one_of, positive, ratio
+from oracle_parts.tables import (
+    Table,
+    count,
+    expression,
+    list_of,
+    load_toml,
+    not_negative,
+    number,
+    one_of,
+    positive,
+    ratio,
+)
 from oracle_parts.time_steps import RADII
 
 Matrix = npt.NDArray[np.float64]
@@ -444,7 +455,7 @@ def _compliance(table: Table) -> Compliance:
 
 
 def _friction(table: Table) -> Friction:
-    return Friction(table.take("coefficient", number), table.take("regularisation", positive))
+    return Friction(table.take("coefficient", number), table.take("regularisation", not_negative))
 
 
 def _conductance(table: Table) -> Conductance:

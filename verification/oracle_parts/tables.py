@@ -103,6 +103,12 @@ def ratio(raw: Any) -> float:
     return float(raw)
 
 
+def not_negative(raw: Any) -> float:
+    if not number(raw) >= 0.0:
+        raise ValueError("expected a number that is not negative")
+    return float(raw)
+
+
 def count(raw: Any) -> int:
     if isinstance(raw, bool) or not isinstance(raw, int) or raw < 1:
         raise ValueError("expected a whole number, at least 1")

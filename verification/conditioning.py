@@ -46,7 +46,10 @@ def without(scene: Flat, *starts: str) -> Flat:
 
 
 MECHANICS = without(
-    SMALL, "heat", f"{CONTACT}.conductance", *(f"boundary.{side}.temperature" for side in ("top", "left", "right"))
+    SMALL,
+    "heat",
+    f"{CONTACT}.conductance",
+    *(f"boundary.{side}.temperature" for side in ("top", "left", "right")),
 )
 STATIC = without(MECHANICS, "material.density", "material.viscosity", f"{CONTACT}.friction")
 ON_A_FOUNDATION = without(STATIC, "boundary") | {
@@ -60,7 +63,8 @@ CASES: dict[str, Flat] = {
     "c_n = 1e12": SMALL | {STIFFNESS: 1e12},
     "E = 1e-9": SMALL | {"material.elasticity.young": 1e-9},
     "E = 1e9": SMALL | {"material.elasticity.young": 1e9},
-    "nu = 0.4999, static": STATIC | {"material.elasticity.poisson": 0.4999, "material.elasticity.plane": "strain"},
+    "nu = 0.4999, static": STATIC
+    | {"material.elasticity.poisson": 0.4999, "material.elasticity.plane": "strain"},
     "nu = 0.4999999, static": STATIC
     | {"material.elasticity.poisson": 0.4999999, "material.elasticity.plane": "strain"},
     "nu = 0.499999999, static": STATIC
@@ -82,7 +86,13 @@ CASES: dict[str, Flat] = {
     "E = 1e4, held by c_n = 1": ON_A_FOUNDATION | {"material.elasticity.young": 1e4},
     "E = 1e6, held by c_n = 1": ON_A_FOUNDATION | {"material.elasticity.young": 1e6},
 }
-FEW = ("as it is", "c_n = 1e12", "nu = 0.4999999, static", "nu = 0.499999999, static", "E = 1e4, held by c_n = 1")
+FEW = (
+    "as it is",
+    "c_n = 1e12",
+    "nu = 0.4999999, static",
+    "nu = 0.499999999, static",
+    "E = 1e4, held by c_n = 1",
+)
 
 
 @dataclass(frozen=True)
@@ -120,17 +130,42 @@ def rows_of(case: str, program: Path, folder: Path) -> list[Row]:
     return rows
 
 
-HEADER = ("case", "balance", "condition", "of contact", "residual", "error", "rounding", "predicted", "measured", "")
+HEADER = (
+    "case",
+    "balance",
+    "condition",
+    "of contact",
+    "residual",
+    "error",
+    "rounding",
+    "predicted",
+    "measured",
+    "",
+)
 
 
 def cells(row: Row) -> tuple[str, ...]:
-    numbers = (row.condition, row.contact_condition, row.loss.residual, row.loss.forward_error, row.loss.rounding)
+    numbers = (
+        row.condition,
+        row.contact_condition,
+        row.loss.residual,
+        row.loss.forward_error,
+        row.loss.rounding,
+    )
     digits = (f"{row.predicted():.1f}", f"{row.loss.digits():.1f}")
-    return row.case, row.balance, *(f"{number:.1e}" for number in numbers), *digits, "" if row.good() else "OFF"
+    return (
+        row.case,
+        row.balance,
+        *(f"{number:.1e}" for number in numbers),
+        *digits,
+        "" if row.good() else "OFF",
+    )
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--program", type=Path, default=ROOT / "build" / "last_systems")
     parser.add_argument("--small", action="store_true", help="a few cases")
     parser.add_argument("--output", type=Path, metavar="FILE.csv")

@@ -30,8 +30,14 @@ NOBODY = 65534
 LONGEST = 10_000  # characters of an expression that is read
 
 NO_SCENES: dict[str, tuple[Callable[[bytes], bytes], str]] = {
-    "10 MB of comments": (lambda scene: scene + b"# a line of forty characters and no more\n" * 250_000, "4 MiB"),
-    "10 MB in one string": (lambda scene: scene.replace(b'title = "', b'title = "' + b"y" * 10_000_000, 1), "4 MiB"),
+    "10 MB of comments": (
+        lambda scene: scene + b"# a line of forty characters and no more\n" * 250_000,
+        "4 MiB",
+    ),
+    "10 MB in one string": (
+        lambda scene: scene.replace(b'title = "', b'title = "' + b"y" * 10_000_000, 1),
+        "4 MiB",
+    ),
     "deep arrays": (lambda _: b"a = " + b"[" * DEEP + b"]" * DEEP + b"\n", ":1: "),
     "deep tables": (lambda _: b"a = " + b"{b=" * DEEP + b"1" + b"}" * DEEP + b"\n", ":1: "),
     "deep keys": (lambda _: b".".join([b"a"] * DEEP) + b" = 1\n", ":1: "),
@@ -132,7 +138,6 @@ class HostileFiles(ProgramTest):
         shutil.copy(SCENE, self.folder / "scene.toml")
         self.folder.chmod(0o755)
         self.results.mkdir()
-        self.addCleanup(lambda: [path.chmod(0o755) for path in (self.results, self.results / "fields")])
         if os.geteuid() == 0:
             os.chown(self.results, NOBODY, NOBODY)
         return str(program)
@@ -146,6 +151,7 @@ class HostileFiles(ProgramTest):
         for folder in (self.results, self.results / "fields"):
             with self.subTest(folder):
                 folder.chmod(0o555)
+                self.addCleanup(folder.chmod, 0o755)
                 message = self.refuse(SYSTEM_FAILED, *command, before=as_nobody)
                 self.assert_says(message, "cannot write", str(folder), "ermission denied")
                 folder.chmod(0o755)

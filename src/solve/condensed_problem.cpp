@@ -5,6 +5,13 @@
 #include <cmath>
 
 namespace thermocontact::solve {
+namespace {
+
+bool all_finite(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
 
 Eigen::VectorXd CondensedProblem::begin(const std::vector<double>& rhs, const std::vector<double>& start) {
     rhs_ = system_.condense(rhs);
@@ -32,7 +39,7 @@ double CondensedProblem::largest_unknown(const Eigen::VectorXd& start) {
 
 bool CondensedProblem::finish(const Eigen::VectorXd& x, std::vector<double>& solution) {
     system_.expand(x, solution);
-    return std::ranges::all_of(solution, [](double value) { return std::isfinite(value); });
+    return all_finite(solution);
 }
 
 /// (A + dF/dx)^-1 or its transpose, over the unknowns in the order of the factor.
@@ -62,8 +69,7 @@ std::optional<Condition> CondensedProblem::condition(const std::vector<double>& 
     const std::vector<std::int32_t>& dofs = system_.dofs();
     const auto contact_count = static_cast<Eigen::Index>(contact_dofs().size());
     const Eigen::MatrixXd* derivative = newton_.derivative();
-    const auto is_finite = [](double value) { return std::isfinite(value); };
-    if ((contact_count > 0 && derivative == nullptr) || !std::ranges::all_of(solution, is_finite)) {
+    if ((contact_count > 0 && derivative == nullptr) || !all_finite(solution)) {
         return std::nullopt;
     }
     const std::vector<double> magnitudes = product_of_magnitudes(*matrix_, solution);

@@ -63,10 +63,10 @@ bool Newton::factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::Vec
     return factor_derivative();
 }
 
-/// A pivot u_kk = t_kk - sum l_kj u_jk is known to some epsilon (|L| |U|)_kk, the sum of its terms' magnitudes
-/// (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3): below that a matrix as near as rounding
-/// is singular. Other than the largest entry of its row, which for a slipping point is mu c_n beside the
-/// body's stiffness against slip, this takes rows and columns in any units.
+/// A pivot u_kk = t_kk - sum l_kj u_jk is known to some epsilon (|L| |U|)_kk, the sum of its terms'
+/// magnitudes (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3): below that a matrix as
+/// near as rounding is singular. Other than the largest entry of its row, which for a slipping point is mu
+/// c_n beside the body's stiffness against slip, this takes rows and columns in any units.
 bool Newton::factor_derivative() {
     factors_.compute(derivative_);
     ++factorisations_;

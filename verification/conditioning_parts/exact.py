@@ -34,7 +34,11 @@ def measure(matrix: Array, rhs: Array, solution: Array) -> Loss:
     """Each entry of matrix and right-hand side is rounded another way by at most EPSILON / 2 of itself."""
     with mpmath.workdps(DIGITS):
         size = len(rhs)
-        T, b, x = mpmath.matrix(matrix.tolist()), mpmath.matrix(rhs.tolist()), mpmath.matrix(solution.tolist())
+        T, b, x = (
+            mpmath.matrix(matrix.tolist()),
+            mpmath.matrix(rhs.tolist()),
+            mpmath.matrix(solution.tolist()),
+        )
         factors, pivots = mpmath.mp.LU_decomp(T)
 
         def solve(right: Any) -> Any:
@@ -48,7 +52,9 @@ def measure(matrix: Array, rhs: Array, solution: Array) -> Loss:
         for _ in range(ROUNDINGS):  # T dx = db - dT x, to first order
             shares = random.uniform(-1, 1, (size, size + 1)) * EPSILON / 2
             change = [
-                mpmath.fsum([shares[i, size] * b[i]] + [-shares[i, j] * T[i, j] * exact[j] for j in range(size)])
+                mpmath.fsum(
+                    [shares[i, size] * b[i]] + [-shares[i, j] * T[i, j] * exact[j] for j in range(size)]
+                )
                 for i in range(size)
             ]
             worst = max(worst, largest(solve(mpmath.matrix(change))))

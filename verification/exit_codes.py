@@ -27,12 +27,19 @@ from typing import Any
 
 import numpy as np
 
+from exit_code_parts.program_test import (
+    BAD_INPUT,
+    COMPLETED,
+    NUMERICS_FAILED,
+    SCENE,
+    SMALL,
+    SYSTEM_FAILED,
+    TERMINATED,
+    ProgramTest,
+    main,
+)
 from oracle_parts import vtu
 
-ROOT = Path(__file__).resolve().parents[1]
-SCENE = ROOT / "scenes" / "paper-isotropic.toml"
-SMALL = ("--quiet", "--set", "mesh.cells=[4,4]", "--set", "time.steps=4")
-COMPLETED, SYSTEM_FAILED, BAD_INPUT, NUMERICS_FAILED, TERMINATED = 0, 1, 2, 3, 143
 WAITING = 120.0  # s: a run that has not begun or ended by then hangs
 
 NONLINEAR = ("--set", "boundary.bottom.contact.compliance.exponent=2")
@@ -64,41 +71,7 @@ def small_files() -> None:
     resource.setrlimit(resource.RLIMIT_FSIZE, (2048, 2048))
 
 
-class ExitCodes(unittest.TestCase):
-    driver = ROOT / "build" / "thermocontact"
-
-    def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.results = self.folder / "results"
-
-    def call(
-        self, code: int, *words: str | Path, before: Callable[[], None] | None = None
-    ) -> "subprocess.CompletedProcess[str]":
-        """Run the program in the empty folder; its exit code must be that."""
-        command = [str(word) for word in (self.driver, *words)]
-        done = subprocess.run(
-            command, capture_output=True, text=True, cwd=self.folder, preexec_fn=before, check=False
-        )
-        self.assertEqual(done.returncode, code, f"{' '.join(command)}\n{done.stdout}{done.stderr}")
-        return done
-
-    def run_small(self, code: int, *words: str, before: Callable[[], None] | None = None) -> str:
-        """The message of a small run of the scene into self.results."""
-        command: list[str | Path] = ["run", SCENE, *SMALL, "--output", self.results, *words]
-        return self.call(code, *command, before=before).stderr
-
-    def summary(self) -> dict[str, object]:
-        found: dict[str, object] = json.loads((self.results / "summary.json").read_text(encoding="utf-8"))
-        return found
-
-    def assert_says(self, message: str, *words: str) -> None:
-        """One line that begins with the program's name and holds these words."""
-        self.assertRegex(message, r"\Athermocontact: [^\n]+\n\Z")
-        for word in words:
-            self.assertIn(word, message)
-
+class ExitCodes(ProgramTest):
     def test_completed(self) -> None:
         self.assertEqual(self.run_small(COMPLETED), "", "--quiet prints errors only")
         self.assertEqual(self.summary()["status"], "completed")
@@ -337,16 +310,5 @@ class ExitCodes(unittest.TestCase):
         self.assertEqual(steps, {"000000", "000001", "000002"})
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--driver", type=Path, default=ExitCodes.driver)
-    options, rest = parser.parse_known_args()
-    ExitCodes.driver = options.driver.resolve()
-    result = unittest.main(argv=[sys.argv[0], *rest], exit=False).result
-    return 0 if result.wasSuccessful() else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(__doc__))

@@ -101,15 +101,21 @@ int run(const RunCommand& command, const parallel::Backend* backend, const RunWa
         return output::Results(std::move(folder), scene, *simulation, earlier ? &*earlier : nullptr);
     });
     const auto finish = [&](const std::string& status, const std::string& reason) {
+        std::vector<output::BalanceCondition> conditions;
         timed(seconds.output, [&] {
             results.add_fields();
             results.add_checkpoint();
+            conditions = output::conditions(*simulation);
         });
         seconds.total = start + since_start.seconds();
         seconds.steps -= simulation->factor_seconds() - seconds.factor;  // for step sizes met on the way
         seconds.factor = simulation->factor_seconds();
         const bool planned = watch != nullptr && simulation->finished();
-        results.finish(status, reason, seconds, planned ? watch->end(seconds) : nlohmann::ordered_json{});
+        results.finish(status, reason, seconds, conditions,
+                       planned ? watch->end(seconds) : nlohmann::ordered_json{});
+        if (const std::string text = output::warning(conditions); !text.empty() && speaks && !command.quiet) {
+            std::cerr << "thermocontact: warning: " << text << "\n";
+        }
     };
     int signal = 0;
     try {

@@ -77,6 +77,13 @@ class Balance {
     /// Newton iterations, of steps and of rungs of continuation, that ended as contact states recurred.
     int cycles() const { return cycles_; }
     std::int64_t factor_entries() const { return problem().factor_entries(); }
+    /// What the system in use leaves of the last solution; see solve::StepProblem.
+    std::optional<solve::Condition> condition() const { return problem().condition(*unknown_); }
+    const std::string& name() const { return name_; }
+    /// A of the system in use.
+    const fem::BlockMatrix& matrix() const { return systems_.front()->matrix; }
+    const std::vector<char>& contact_nodes() const { return contact_nodes_; }
+    const std::vector<double>& solution() const { return *unknown_; }
     /// Unknowns that the contact term depends on; dofs of this process.
     const std::vector<std::int32_t>& contact_dofs() const { return problem().contact_dofs(); }
 

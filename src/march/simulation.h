@@ -68,6 +68,9 @@ class Simulation {
     /// Of the last step, in their order; none where steps are not adapted.
     const std::vector<Attempt>& attempts() const { return last_.attempts; }
 
+    /// Those that the scene has: momentum, heat.
+    std::vector<Balance*> balances();
+
     /// Seconds spent in factorisation so far.
     double factor_seconds() const;
     /// How many that were, of both balances.

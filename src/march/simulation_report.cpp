@@ -6,6 +6,17 @@
 
 namespace thermocontact::march {
 
+std::vector<Balance*> Simulation::balances() {
+    std::vector<Balance*> result;
+    if (momentum_) {
+        result.push_back(&momentum_->balance());
+    }
+    if (heat_) {
+        result.push_back(&heat_->balance());
+    }
+    return result;
+}
+
 double Simulation::factor_seconds() const {
     return (momentum_ ? momentum_->balance().factor_seconds() : 0) +
            (heat_ ? heat_->balance().factor_seconds() : 0);

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <string>
 #include <system_error>
 
 #include "error.h"
@@ -25,6 +26,8 @@ bool reaches_disk(const std::filesystem::path& path, int how) {
     errno = reason;
     return done;
 }
+
+constexpr std::size_t least_room = 1 << 16;  ///< bytes that must find a place on the disk
 
 }  // namespace
 
@@ -59,9 +62,26 @@ void make_folder(const std::filesystem::path& folder) {
     if (failure) {
         throw SystemError("cannot make the output folder " + folder.string() + ": " + failure.message());
     }
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-        throw SystemError("cannot write to the output folder " + folder.string() + ": " +
-                          std::strerror(errno));
+    const auto refuse = [](const std::filesystem::path& path) {
+        throw SystemError("cannot write to the output folder " + path.string() + ": " +
+                          std::strerror(errno != 0 ? errno : EIO));
+    };
+    for (const std::filesystem::path& path : {folder, folder / "fields"}) {
+        if (::access(path.c_str(), W_OK | X_OK) != 0 && errno != ENOENT) {
+            refuse(path);
+        }
+    }
+    const std::filesystem::path trial = folder / "room.part";
+    errno = 0;
+    std::ofstream file(trial, std::ios::binary | std::ios::trunc);
+    file.write(std::string(least_room, '\0').data(), static_cast<std::streamsize>(least_room));
+    file.close();
+    const int reason = errno;
+    std::error_code ignored;
+    std::filesystem::remove(trial, ignored);
+    if (!file) {
+        errno = reason;
+        refuse(folder);
     }
 }
 

@@ -201,8 +201,8 @@ void Results::write_fields() {
 }
 
 void Results::finish(const std::string& status, const std::string& reason, const Seconds& seconds,
-                     const nlohmann::ordered_json& plan) {
-    nlohmann::ordered_json content = summary(*scene_, *simulation_, status, reason, seconds);
+                     const std::vector<BalanceCondition>& conditions, const nlohmann::ordered_json& plan) {
+    nlohmann::ordered_json content = summary(*scene_, *simulation_, status, reason, seconds, conditions);
     if (!plan.is_null()) {
         content["plan"] = plan;
     }

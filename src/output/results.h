@@ -10,6 +10,7 @@
 
 #include "output/checkpoint.h"
 #include "output/checkpoints.h"
+#include "output/conditioning.h"
 #include "output/fields.h"
 #include "output/folder_claim.h"
 
@@ -45,7 +46,7 @@ class Results {
     /// Writes summary.json; `status` is "completed", "failed" or "interrupted", `reason` empty when
     /// completed; `plan`, unless null, is what the run was planned for.
     void finish(const std::string& status, const std::string& reason, const Seconds& seconds,
-                const nlohmann::ordered_json& plan = {});
+                const std::vector<BalanceCondition>& conditions, const nlohmann::ordered_json& plan = {});
 
   private:
     const std::filesystem::path& folder() const { return claim_.path(); }

@@ -38,7 +38,8 @@ std::string version_text() {
 }
 
 Json summary(const scene::Scene& scene, march::Simulation& simulation, const std::string& status,
-             const std::string& reason, const Seconds& seconds) {
+             const std::string& reason, const Seconds& seconds,
+             const std::vector<BalanceCondition>& conditions) {
     const march::Totals& totals = simulation.totals();
     Json result{{"status", status}, {"version", version_text()}};
     if (!reason.empty()) {
@@ -82,6 +83,10 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     }
     result["audit"] = {
         {"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
+    result["conditioning"] = to_json(conditions);
+    if (const std::string text = warning(conditions); !text.empty()) {
+        result["warning"] = text;
+    }
     const march::StepSeconds parts = simulation.step_seconds();
     result["seconds"] = {{"start", seconds.start},
                          {"setup", seconds.setup},

@@ -9,7 +9,8 @@
 namespace thermocontact::output {
 
 nlohmann::ordered_json summary(const scene::Scene& scene, march::Simulation& simulation,
-                               const std::string& status, const std::string& reason, const Seconds& seconds);
+                               const std::string& status, const std::string& reason, const Seconds& seconds,
+                               const std::vector<BalanceCondition>& conditions);
 
 /// "0.1.0 (FFCx 0.5.0, UFL 2022.2.0; forms 0123456789abcdef)".
 std::string version_text();

@@ -197,14 +197,10 @@ bool KrylovProblem::is_round_off(solve::NonlinearTerm& F, const Residual& curren
     if (!solve::may_be_round_off(current.relative, rest, has_contact_ ? forces : 0.0, options_.tolerance)) {
         return false;
     }
-    fem::BlockMatrix magnitudes = *matrix_;
-    for (double& value : magnitudes.values) {
-        value = std::abs(value);
-    }
+    local_ = solve::product_of_magnitudes(*matrix_, local_x_);
     for (double& value : local_x_) {
         value = std::abs(value);
     }
-    magnitudes.multiply(local_x_, local_);
     tangent_.add_derivative_magnitudes(local_x_, local_);
     contact_F_.setZero(contact_x_.size());
     F.add_sensitivity(contact_x_, contact_F_);

@@ -11,7 +11,8 @@ class CondensedProblem : public StepProblem {
   public:
     CondensedProblem(const StepProblemInput& input, std::span<const std::int32_t> interior,
                      std::shared_ptr<Workers> workers)
-        : system_(input.matrix, input.fixed, input.contact_nodes, interior, std::move(workers)),
+        : matrix_(&input.matrix),
+          system_(input.matrix, input.fixed, input.contact_nodes, interior, std::move(workers)),
           newton_(input.newton) {}
 
     const std::vector<std::int32_t>& contact_dofs() const override { return system_.contact_dofs(); }
@@ -26,9 +27,13 @@ class CondensedProblem : public StepProblem {
     void take_up(const KeptDerivative& derivative) override {
         newton_.take_up(system_.schur_complement(), derivative);
     }
+    std::optional<Condition> condition(const std::vector<double>& solution) override;
     std::int64_t factor_entries() const override { return system_.factor_entries(); }
 
   private:
+    Eigen::VectorXd solve_with_factors(const Eigen::VectorXd& rhs, bool transposed);
+
+    const fem::BlockMatrix* matrix_;
     CondensedSystem system_;
     Newton newton_;
     Eigen::VectorXd rhs_;  ///< condensed

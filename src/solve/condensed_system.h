@@ -43,6 +43,9 @@ class CondensedSystem {
     /// Dofs of the contact unknowns, in the order of S.
     const std::vector<std::int32_t>& contact_dofs() const { return contact_dofs_; }
 
+    /// Dofs of all unknowns, in the order of the factor.
+    const std::vector<std::int32_t>& dofs() const { return dofs_; }
+
     const Eigen::MatrixXd& schur_complement() const { return schur_; }
 
     /// Condensed right-hand side s of the full one [dofs]. Keeps what expand() needs.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solve/condition.h"
 #include "solve/cycle.h"
 #include "solve/line_search.h"
 
@@ -10,7 +11,7 @@ namespace thermocontact::solve {
 namespace {
 
 constexpr double kept_factors_rate = 0.1;  ///< the least contraction that makes old factors worth keeping
-constexpr double smallest_pivot = 1e-14;   ///< of the largest entry in its row; below is round-off
+constexpr double smallest_pivot = 1e-14;   ///< of the terms that it is the sum of; below is round-off
 
 }  // namespace
 
@@ -62,12 +63,20 @@ bool Newton::factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::Vec
     return factor_derivative();
 }
 
+/// A pivot u_kk = t_kk - sum l_kj u_jk is known to some epsilon (|L| |U|)_kk, the sum of its terms'
+/// magnitudes (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3): below that a matrix as
+/// near as rounding is singular. Other than the largest entry of its row, which for a slipping point is mu
+/// c_n beside the body's stiffness against slip, this takes rows and columns in any units.
 bool Newton::factor_derivative() {
     factors_.compute(derivative_);
     ++factorisations_;
-    const Eigen::VectorXd scale = factors_.permutationP() * derivative_.cwiseAbs().rowwise().maxCoeff();
-    const auto pivots = factors_.matrixLU().diagonal().cwiseAbs().array();
-    has_factors_ = (pivots > smallest_pivot * scale.array()).all();
+    const Eigen::MatrixXd& lu = factors_.matrixLU();
+    has_factors_ = true;
+    for (Eigen::Index k = 0; k < lu.rows() && has_factors_; ++k) {
+        const double pivot = std::abs(lu(k, k));
+        const double terms = pivot + lu.row(k).head(k).cwiseAbs().dot(lu.col(k).head(k).cwiseAbs());
+        has_factors_ = pivot > smallest_pivot * terms;
+    }
     return has_factors_;
 }
 
@@ -94,6 +103,16 @@ void Newton::take_up(const Eigen::MatrixXd& S, const KeptDerivative& kept) {
         derivative_.data()[kept.entries[i]] = kept.values[i];
     }
     factor_derivative();
+}
+
+std::optional<double> Newton::condition(const Eigen::VectorXd& x) const {
+    if (!has_factors_) {
+        return std::nullopt;
+    }
+    return skeel_condition(
+        [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return factors_.solve(v); },
+        [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return factors_.transpose().solve(v); },
+        derivative_.cwiseAbs() * x.cwiseAbs(), x);
 }
 
 bool Newton::is_round_off(const Eigen::VectorXd& x, NonlinearTerm& F, const Residual& current) {

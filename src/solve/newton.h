@@ -81,6 +81,13 @@ class Newton {
     /// One of another number of unknowns is passed over.
     void take_up(const Eigen::MatrixXd& S, const KeptDerivative& kept);
 
+    /// cond(T, x) of the derivative whose factors are kept; nothing where there are none.
+    std::optional<double> condition(const Eigen::VectorXd& x) const;
+
+    /// S + dF/dx and its factors, as kept; null where there are none.
+    const Eigen::MatrixXd* derivative() const { return has_factors_ ? &derivative_ : nullptr; }
+    const Eigen::PartialPivLU<Eigen::MatrixXd>& factors() const { return factors_; }
+
     /// Derivatives factored so far.
     int factorisations() const { return factorisations_; }
 

@@ -9,6 +9,7 @@
 
 #include "fem/block_matrix.h"
 #include "parallel/team.h"
+#include "solve/condition.h"
 #include "solve/newton.h"
 
 namespace thermocontact::solve {
@@ -42,6 +43,13 @@ class StepProblem {
     /// to go on with it. Only the last digits of what solve() finds depend on it.
     virtual std::optional<KeptDerivative> kept_derivative() const { return std::nullopt; }
     virtual void take_up(const KeptDerivative&) {}
+
+    /// What the factors at hand leave of the `solution` [dofs] last found, prescribed values included;
+    /// nothing where there are none, or a number is not finite. It takes a few solves.
+    virtual std::optional<Condition> condition(const std::vector<double>& solution) {
+        static_cast<void>(solution);
+        return std::nullopt;
+    }
 
     /// Numbers in the factors, where there are any.
     virtual std::int64_t factor_entries() const { return 0; }

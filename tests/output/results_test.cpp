@@ -62,7 +62,7 @@ class ResultFiles : public testing::Test {
             results.add_step();
         }
         results.add_fields();
-        results.finish("completed", "", {});
+        results.finish("completed", "", {}, {});
         return nlohmann::ordered_json::parse(content(folder / "summary.json"));
     }
 
@@ -263,7 +263,7 @@ TEST_F(ResultFiles, SummaryOfAFailure) {
     EXPECT_EQ(rows(folder / "history.csv").size(), 2U) << "rows are on disk as they come";
     results.add_fields();
     results.add_fields();
-    results.finish("failed", "step 2: because", {});
+    results.finish("failed", "step 2: because", {}, {});
     const auto summary = nlohmann::json::parse(content(folder / "summary.json"));
     EXPECT_EQ(summary["status"], "failed");
     EXPECT_EQ(summary["reason"], "step 2: because");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <limits>
 
 #include "support/dense.h"
@@ -38,6 +39,54 @@ TEST_F(OneBalance, LargestUnknownCountsMagnitudes) {
     EXPECT_EQ(one->largest_unknown(one->begin(nothing, start)), 7.0);
     const std::vector<double> rhs = matrix.multiply(std::vector<double>(at.node_count(), -9.0));
     EXPECT_NEAR(one->largest_unknown(one->begin(rhs, start)), 9.0, 1e-12);
+}
+
+/// Springs at the contact unknowns.
+class Springs : public NonlinearTerm {
+  public:
+    explicit Springs(double stiffness) : stiffness_(stiffness) {}
+    void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override { value = stiffness_ * x; }
+    void visit_derivative(const Eigen::VectorXd& x, const Piece& visit) override {
+        for (std::int32_t i = 0; i < x.size(); ++i) {
+            visit(std::span(&i, 1), std::span(&stiffness_, 1));
+        }
+    }
+
+  private:
+    double stiffness_;
+};
+
+/// cond(T, x) over all unknowns, contact and others, from the condensed factors: within Hager's factor of 3
+/// of the dense one.
+TEST_F(OneBalance, ConditionIsThatOfTheWholeSystem) {
+    fixed[at.node_count() - 1] = 1;
+    const auto one = problem();
+    const std::vector<double> rhs = matrix.multiply(support::random_numbers(at.node_count()));
+    std::vector<double> solution(at.node_count(), 0.0);
+    Eigen::VectorXd x = one->begin(rhs, solution);
+    EXPECT_FALSE(one->condition(rhs)) << "nothing is factored yet";
+    Springs springs(0.3);
+    ASSERT_EQ(one->solve(springs, x).end, NewtonEnd::converged);
+    ASSERT_TRUE(one->finish(x, solution));
+    const auto condition = one->condition(solution);
+    ASSERT_TRUE(condition);
+
+    Eigen::MatrixXd T = support::dense(matrix);
+    for (std::size_t node = 0; node < at.node_count(); ++node) {
+        const auto i = static_cast<Eigen::Index>(node);
+        T(i, i) += contact[node] != 0 ? 0.3 : 0.0;
+    }
+    const Eigen::Index free = T.rows() - 1;
+    const Eigen::VectorXd full = support::as_vector(solution), g = T.cwiseAbs() * full.cwiseAbs();
+    const Eigen::MatrixXd inverse = T.topLeftCorner(free, free).inverse();
+    const Eigen::VectorXd bounds = inverse.cwiseAbs() * g.head(free);
+    const double exact = bounds.maxCoeff() / full.head(free).cwiseAbs().maxCoeff();
+    EXPECT_LE(condition->system, exact * (1 + 1e-9));
+    EXPECT_GE(condition->system, exact / 3);
+    EXPECT_GE(condition->contact, 1);
+    EXPECT_LT(condition->contact, condition->system);
+    solution[0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(one->condition(solution));
 }
 
 /// The other nodes are fixed, so that nothing turns infinity into another value that is no number.

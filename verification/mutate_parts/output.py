@@ -4,6 +4,30 @@ from .mutation import Mutation
 
 MUTATIONS = (
     Mutation(
+        "no-room-needed",
+        "src/output/files.cpp",
+        "constexpr std::size_t least_room = 1 << 16;",
+        "constexpr std::size_t least_room = 0;",
+        "missing",
+        "a full disk is found before an earlier run's results go",
+    ),
+    Mutation(
+        "fields-folder-unseen",
+        "src/output/files.cpp",
+        'for (const std::filesystem::path& path : {folder, folder / "fields"}) {',
+        "for (const std::filesystem::path& path : {folder, folder}) {",
+        "missing",
+        "a folder of fields that cannot be written to is found before an earlier run's results go",
+    ),
+    Mutation(
+        "digits-enough",
+        "src/output/conditioning.cpp",
+        "constexpr double enough_digits = 6;",
+        "constexpr double enough_digits = 0;",
+        "range",
+        "fewer than six digits are warned of",
+    ),
+    Mutation(
         "fields-triangle-order",
         "src/output/fields.cpp",
         '{{"triangle", 2}, {22, {0, 1, 2, 5, 3, 4}}}',

@@ -1,0 +1,29 @@
+/// What is left of a run's digits, and the warning where that is little.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "march/simulation.h"
+
+namespace thermocontact::output {
+
+/// Of one balance, in the last step; empty where no factors tell (strategy "newton-krylov", no step solved).
+struct BalanceCondition {
+    std::string balance;  ///< "momentum", "heat"
+    std::optional<solve::Condition> condition;
+};
+
+/// A few solves with the factors of each balance.
+std::vector<BalanceCondition> conditions(march::Simulation& simulation);
+
+/// The summary's `conditioning`: `condition` of all unknowns, `contact_condition` of the condensed ones,
+/// `digits` that the former leaves; null where nothing is known.
+nlohmann::ordered_json to_json(const std::vector<BalanceCondition>& conditions);
+
+/// What to warn of: a balance with fewer than six digits; empty where there is none.
+std::string warning(const std::vector<BalanceCondition>& conditions);
+
+}  // namespace thermocontact::output

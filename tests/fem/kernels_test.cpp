@@ -39,6 +39,7 @@ Constants constants() {
             {"m", {1}},
             {"mu", {0.3}},
             {"eps", {0.15}},
+            {"gamma", {2}},
             {"k", {0.05}},
             {"k_c", {2}},
             {"eps_c", {10}},
@@ -91,6 +92,15 @@ std::vector<Situation> contact_situations(const Triangle& triangle, int degree) 
     add("touching at rest", [](Situation& at) { at.u = at.w = {}, at.g = Polynomial(); });
     add("sliding slower than epsilon", [](Situation& at) { at.constants["eps"] = {3.0}; });
     add("frictionless epsilon", [](Situation& at) { at.constants["eps"] = {-1.0}; });
+    add("held while it moves", [](Situation& at) {
+        at.multiplier = {0.5, 0.3};
+        at.held = true;
+    });
+    add("held at rest", [](Situation& at) {
+        at.w = {Polynomial(0.0), Polynomial(0.0)};
+        at.multiplier = {0.5, 0.3};
+        at.held = true;
+    });
     add("full conductance", [](Situation& at) {
         at.constants["eps_c"] = {0.01};
         at.transfer_slope = 0;
@@ -106,7 +116,10 @@ std::vector<Situation> contact_situations(const Triangle& triangle, int degree) 
 class OneElement {
   public:
     explicit OneElement(const Situation& at)
-        : mesh_(at.triangle.mesh()), space_(make_space(mesh_, at.degree)), at_(at) {
+        : mesh_(at.triangle.mesh()),
+          space_(make_space(mesh_, at.degree)),
+          quadratic_(make_space(mesh_, 2)),
+          at_(at) {
         const double k = at.constant("k");
         const VectorPolynomial u_old{at.u[0] - k * at.w[0], at.u[1] - k * at.w[1]};
         add("u", {at.u[0], at.u[1]});
@@ -118,6 +131,10 @@ class OneElement {
         for (const char* name : {"theta", "q0", "flux"}) {
             add(name, {at.theta});
         }
+        for (std::size_t node = 0; node < quadratic_.nodes.size(); ++node) {
+            values_["lam"].insert(values_["lam"].end(), at.multiplier.begin(), at.multiplier.end());
+        }
+        fields_["lam"] = {&values_["lam"], 2, &quadratic_.dofmap};
         values_["s"] = at.stress;
         fields_["s"] = {&values_["s"], 6, &space_.cellwise};
     }
@@ -150,7 +167,7 @@ class OneElement {
     }
 
     mesh::Mesh mesh_;
-    Space space_;
+    Space space_, quadratic_;
     const Situation& at_;
     std::map<std::string, std::vector<double>> values_;
     Fields fields_;

@@ -13,7 +13,7 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 StrategyChoice choose(const support::Discretisation& problem, double memory) {
-    const parallel::Part part{problem.mesh, problem.space, {}, 0, 0};
+    const parallel::Part part{problem.mesh, problem.space, {}, {}, 0, 0};
     return choose_strategy(problem.scene, problem.graph, part, problem.surfaces, nullptr, memory);
 }
 

@@ -245,36 +245,36 @@ TEST(Newton, SingularInOneUnknown) {
     EXPECT_EQ(Newton(options).solve(identity(2), vector({1, 2}), F, x).end, NewtonEnd::singular);
 }
 
-/// J x.
+/// J x, J = (a, b; c, d).
 class Linear : public NonlinearTerm {
   public:
-    explicit Linear(Eigen::Matrix2d J) : J_(std::move(J)) {}
+    Linear(double a, double b, double c, double d) : J_(2, 2) { J_ << a, b, c, d; }
     void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override { value = J_ * x; }
     void visit_derivative(const Eigen::VectorXd&, const Piece& visit) override {
         const std::array<std::int32_t, 2> unknowns{0, 1};
-        const Eigen::Matrix2d rows = J_.transpose();
+        const Eigen::MatrixXd rows = J_.transpose();
         visit(unknowns, std::span(rows.data(), 4));
     }
 
   private:
-    Eigen::Matrix2d J_;
+    Eigen::MatrixXd J_;
 };
 
 /// A slipping point: compliance c_n and friction mu c_n in one column, beside a body whose stiffness against
 /// slip is 1e-16 of them. It is regular, but for a body that nothing holds against slip.
 TEST(Newton, StiffContactIsNotSingular) {
     for (const double stiffness : {1e-3, 1e-8}) {
-        Linear F((Eigen::Matrix2d() << 1e13, 0, 0.5e13, 0).finished());
+        Linear F(1e13, 0, 0.5e13, 0);
         Eigen::VectorXd x = vector({0, 0});
         const Eigen::VectorXd s = vector({1e4, 0.5e4 + stiffness});
         const NewtonResult result = Newton(options).solve(stiffness * identity(2), s, F, x);
         EXPECT_EQ(result.end, NewtonEnd::converged) << stiffness;
         EXPECT_NEAR(x[0], 1e-9, 1e-20);
     }
-    Linear F((Eigen::Matrix2d() << 1e13, 0, 0.5e13, 0).finished());
+    Linear F(1e13, 0, 0.5e13, 0);
     Eigen::VectorXd x = vector({0, 0});
     EXPECT_EQ(Newton(options).solve(0 * identity(2), vector({1e4, 1}), F, x).end, NewtonEnd::singular);
-    Linear cancelling((Eigen::Matrix2d() << 1, 1, 1, 1 + 1e-15).finished());
+    Linear cancelling(1, 1, 1, 1 + 1e-15);
     EXPECT_EQ(Newton(options).solve(0 * identity(2), vector({1, 2}), cancelling, x).end, NewtonEnd::singular);
 }
 

@@ -33,7 +33,10 @@ def save(maps: Sequence[tuple[str, str]], rows: Sequence[Row], album: Album) -> 
         one_map(axes, pair, [row for row in rows if names(row) == pair])
     for axes in places[len(maps) :]:
         axes.axis("off")
-    figure.get_layout_engine().set(rect=(0, 0.05, 1, 0.95))
+    figure.get_layout_engine().set(rect=(0, 0.05, 1, 0.91))
+    figure.suptitle(
+        "Parameter against parameter: outcome, Newton's iterations of all steps, retries (SI units)"
+    )
     handles = [Patch(color=colour, label=outcome) for outcome, colour in COLOURS.items()]
     figure.legend(handles=handles, loc="lower center", ncol=len(handles), fontsize=9)
     album.save(figure, "extremes")

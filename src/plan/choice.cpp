@@ -79,6 +79,15 @@ std::optional<Discretisation> coarsest_in_time(const TimeModel& time, const std:
     return result;
 }
 
+double output_seconds(const Models& models, const SpaceModel& space, const Discretisation& choice) {
+    const double rows = seconds_of_folder + choice.steps * seconds_of_row;
+    if (models.frames == 0) {
+        return rows;
+    }
+    const double frames = 1.0 + choice.steps / output_every(choice.steps, models.frames);
+    return rows + frames * (seconds_of_files + writing_per_forming * space.frame.at(choice.scale));
+}
+
 }  // namespace
 
 double time_knob(const Discretisation& discretisation) {
@@ -105,8 +114,8 @@ Option assess(const Models& models, const Discretisation& discretisation) {
     option.error = total_error(option.space, option.time, models.sum);
     option.unknowns = space.unknowns.at(scale);
     option.seconds = space.setup.at(scale) + time.factorisations.at(knob) * space.factor.at(scale) +
-                     time.attempts.at(knob) * space.step.at(scale) + models.frames * space.frame.at(scale) +
-                     seconds_of_folder + discretisation.steps * seconds_of_row;
+                     time.attempts.at(knob) * space.step.at(scale) +
+                     output_seconds(models, space, discretisation);
     return option;
 }
 

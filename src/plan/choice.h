@@ -36,14 +36,17 @@ struct TimeModel {
     LogCurve damped;  ///< see Pilot::damped
 };
 
-/// To make the folder, checkpoints and the summary of a run, and a row of the history, s: measured.
-inline constexpr double seconds_of_folder = 4e-3, seconds_of_row = 3e-5;
+/// s, measured: to make a run's folder, checkpoints and summary; a row of the history; the files of one
+/// output of fields, whatever their size. To write fields takes as long again as to put them into the form of
+/// their files.
+inline constexpr double seconds_of_folder = 1.4e-2, seconds_of_row = 3e-5, seconds_of_files = 1.8e-3;
+inline constexpr double writing_per_forming = 2;
 
 struct Models {
     std::vector<SpaceModel> spaces;
     std::vector<TimeModel> times;
     bool refinable = true;  ///< the mesh, which is no file's
-    double frames = 0;      ///< how often the fields are written
+    int frames = 0;         ///< how often the scene writes its fields; 0: never
     Sum sum = Sum::squares;
 };
 

@@ -28,16 +28,6 @@ std::string quoted(const std::string& key, const std::string& value) {
     return key + "=\"" + value + '"';
 }
 
-/// Steps between outputs, of which there are about as many as in the scene, the instants compared among them.
-int output_every(int steps, int frames) {
-    const int between = steps / instants, most = std::max(1, steps / frames);
-    int every = std::min(between, most);
-    while (between % every != 0) {
-        --every;
-    }
-    return every;
-}
-
 /// The step in as few digits as give the number of steps again.
 std::string step_text(double end, int steps) {
     const double exact = end / steps;
@@ -51,11 +41,20 @@ std::string step_text(double end, int steps) {
     return scene::number_text(exact);
 }
 
+}  // namespace
+
 int frames_of(const scene::Scene& scene) {
     return std::max(1, scene.time.steps / std::max(1, scene.output.every));
 }
 
-}  // namespace
+int output_every(int steps, int frames) {
+    const int between = steps / instants, most = std::max(1, steps / frames);
+    int every = std::min(between, most);
+    while (between % every != 0) {
+        --every;
+    }
+    return every;
+}
 
 std::vector<int> coarsest_cells(const scene::Scene& scene) {
     const std::vector<int>& cells = scene.mesh.cells;

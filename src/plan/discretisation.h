@@ -43,6 +43,12 @@ scene::Scene discretised(scene::Scene scene, const Discretisation& choice);
 /// The keys that do the same: "mesh.cells=[16,16]", ..., for --set. `scene` is the one planned for.
 std::vector<std::string> settings(const scene::Scene& scene, const Discretisation& choice);
 
+/// How often a scene writes its fields after the begin.
+int frames_of(const scene::Scene& scene);
+
+/// Steps between outputs, of which there are about `frames`, the instants compared among them.
+int output_every(int steps, int frames);
+
 /// The key that chooses a stepping, and, where it adapts, its tolerance.
 std::vector<std::string> settings(const Stepping& stepping, double tolerance);
 

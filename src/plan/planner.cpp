@@ -99,7 +99,7 @@ Planner::Planner(Bench& bench, Request request, bool budget_counts_pilots)
             "graded triangles and tetrahedra are not nested: differences are those of "
             "interpolated solutions");
     }
-    plan_.models.frames = scene.output.fields.empty() ? 0.0 : 1.0 + scene.time.steps / scene.output.every;
+    plan_.models.frames = scene.output.fields.empty() ? 0 : frames_of(scene);
 }
 
 double Planner::pilot_allowance() const {

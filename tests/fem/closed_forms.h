@@ -8,37 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "fem/form.h"
-#include "support/barycentric.h"
+#include "coulomb_forms.h"
+#include "situation.h"
 
 namespace thermocontact::fem {
-
-using support::Polynomial;
-using support::Triangle;
-using support::Vector2;
-using support::VectorPolynomial;
-
-/// Numbers and fields on one triangle. Contact is the same kind (open or closed, ...) on the whole of each
-/// facet.
-struct Situation {
-    std::string name;
-    Triangle triangle;
-    int degree;
-    Constants constants;
-    VectorPolynomial u, w, f;
-    Polynomial g, theta, theta_F;
-    std::vector<double> stress;  ///< xx, yy, zz, xy, yz, xz
-    bool closed = true;
-    double transfer_slope = 0;  ///< k_c(r) = transfer_offset + transfer_slope r
-    double transfer_offset = 0;
-    double limited_slope = 1;  ///< phi_L(s) = limited_offset + limited_slope s
-    double limited_offset = 0;
-    Vector2 multiplier{12, -9};  ///< of Coulomb's law, the same everywhere
-    bool held = false;           ///< |multiplier + gamma w_t| < mu p_n on all facets; else greater
-
-    double constant(const std::string& name) const { return constants.at(name).front(); }
-    std::vector<Polynomial> shapes() const { return support::shape_functions(degree); }
-};
 
 enum class Domain {
     cell,
@@ -54,55 +27,6 @@ struct ClosedForm {
     Domain domain;
     Integrands integrands;
 };
-
-/// One shape function of the vector space.
-struct VectorShape {
-    Polynomial value;
-    std::size_t component;
-    VectorPolynomial gradient;
-
-    Polynomial dot(const Vector2& vector) const { return value * vector[component]; }
-    /// Voigt strain (e_xx, e_yy, 2 e_xy).
-    std::array<Polynomial, 3> strain() const {
-        return component == 0 ? std::array<Polynomial, 3>{gradient[0], 0.0, gradient[1]}
-                              : std::array<Polynomial, 3>{0.0, gradient[1], gradient[0]};
-    }
-};
-
-inline std::vector<VectorShape> vector_shapes(const Situation& at) {
-    std::vector<VectorShape> result;
-    for (const Polynomial& shape : at.shapes()) {
-        for (std::size_t c = 0; c < 2; ++c) {
-            result.push_back({shape, c, at.triangle.gradient(shape)});
-        }
-    }
-    return result;
-}
-
-/// Entries entry(row, column) for all pairs of the two lists.
-template <typename Rows, typename Columns, typename Entry>
-std::vector<Polynomial> outer(const Rows& rows, const Columns& columns, Entry entry) {
-    std::vector<Polynomial> result;
-    for (const auto& row : rows) {
-        for (const auto& column : columns) {
-            result.push_back(entry(row, column));
-        }
-    }
-    return result;
-}
-
-template <typename Rows, typename Entry>
-std::vector<Polynomial> each(const Rows& rows, Entry entry) {
-    std::vector<Polynomial> result;
-    for (const auto& row : rows) {
-        result.push_back(entry(row));
-    }
-    return result;
-}
-
-inline Polynomial dot(const VectorPolynomial& a, const Vector2& b) {
-    return a[0] * b[0] + a[1] * b[1];
-}
 
 /// a^T C b with C [3][3] row-major.
 inline Polynomial contract(const std::array<Polynomial, 3>& a, const std::vector<double>& C,
@@ -152,45 +76,6 @@ inline std::vector<Polynomial> scalar_mass(const Situation& at, double factor) {
     return outer(at.shapes(), at.shapes(), [&](const auto& v, const auto& u) { return v * u * factor; });
 }
 
-inline std::vector<Polynomial> vector_load(const Situation& at) {
-    return each(vector_shapes(at), [&](const auto& v) { return v.value * at.f[v.component]; });
-}
-
-inline std::vector<Polynomial> scalar_load(const Situation& at, const Polynomial& q) {
-    return each(at.shapes(), [&](const auto& v) { return v * q; });
-}
-
-/// The contact quantities of one facet.
-struct Contact {
-    Vector2 n;
-    Polynomial r;      ///< u.n - g
-    Polynomial p, dp;  ///< p_n(r), p_n'(r)
-    Vector2 w_t;
-    double speed;          ///< |w_t|_eps
-    double tangent[2][2];  ///< I - n n^T
-
-    Contact(const Situation& at, std::size_t facet)
-        : n(at.triangle.outward_normal(facet)), r(dot(at.u, n) - at.g) {
-        const double c_n = at.constant("c_n"), m = at.constant("m"), eps = at.constant("eps");
-        if (at.closed) {
-            p = m == 1 ? c_n * r : c_n * r * r;
-            dp = m == 1 ? Polynomial(c_n) : 2 * c_n * r;
-        }
-        const std::array<double, 3> anywhere{1, 0, 0};  // w is constant
-        const Vector2 w{at.w[0](anywhere), at.w[1](anywhere)};
-        const double w_n = w[0] * n[0] + w[1] * n[1];
-        w_t = {w[0] - w_n * n[0], w[1] - w_n * n[1]};
-        speed = std::sqrt(w_t[0] * w_t[0] + w_t[1] * w_t[1] + eps * eps);
-        for (std::size_t a = 0; a < 2; ++a) {
-            for (std::size_t b = 0; b < 2; ++b) {
-                tangent[a][b] = (a == b ? 1.0 : 0.0) - n[a] * n[b];
-            }
-        }
-    }
-
-    bool slips(double eps) const { return std::hypot(w_t[0], w_t[1]) > eps; }
-};
-
 inline Polynomial heat_flow(const Situation& at, const Contact& contact) {
     return (contact.r * at.transfer_slope + at.transfer_offset) *
            ((at.theta - at.theta_F) * at.limited_slope + at.limited_offset);
@@ -206,67 +91,6 @@ inline std::vector<Polynomial> friction_jacobian(const Situation& at, std::size_
         const double direction = contact.tangent[v.component][dw.component] / contact.speed -
                                  a * b / (contact.speed * contact.speed * contact.speed);
         return (bound + contact.p * (mu * direction)) * v.value * dw.value;
-    });
-}
-
-/// Coulomb's law by projection, where multiplier, slip velocity and with them t = lam + gamma w_t are
-/// constant.
-struct Projection {
-    Vector2 t;
-    double size;  ///< |t|
-    bool slips;   ///< gamma |w_t| beyond a millionth of mu p_n: in these situations, moving
-
-    Projection(const Situation& at, const Contact& on)
-        : t{at.multiplier[0] + at.constant("gamma") * on.w_t[0],
-            at.multiplier[1] + at.constant("gamma") * on.w_t[1]},
-          size(std::hypot(t[0], t[1])),
-          slips(on.w_t[0] != 0 || on.w_t[1] != 0) {}
-};
-
-/// v_t . (a, b) of a shape function.
-inline Polynomial tangential_dot(const VectorShape& v, const Contact& on, const Vector2& a) {
-    return v.value * (on.tangent[v.component][0] * a[0] + on.tangent[v.component][1] * a[1]);
-}
-
-/// -sigma_t . v_t for the multiplier `lam` + gamma w_t.
-inline std::vector<Polynomial> projected_load(const Situation& at, const Contact& on) {
-    const Projection to(at, on);
-    return each(vector_shapes(at), [&](const auto& v) {
-        const Polynomial along = tangential_dot(v, on, to.t);
-        return at.held ? along : on.p * (at.constant("mu") / to.size) * along;
-    });
-}
-
-inline std::vector<Polynomial> projected_jacobian(const Situation& at, const Contact& on) {
-    const Projection to(at, on);
-    const double mu = at.constant("mu"), k = at.constant("k"), gamma = at.constant("gamma");
-    const auto shapes = vector_shapes(at);
-    return outer(shapes, shapes, [&](const auto& v, const auto& dw) {
-        const auto a = v.component, b = dw.component;
-        if (at.held) {
-            return v.value * dw.value * (gamma * on.tangent[a][b]);
-        }
-        const Vector2 unit{to.t[0] / to.size, to.t[1] / to.size};
-        double v_t = 0, dw_t = 0, both = 0;  // v_t . unit, dw_t . unit, v_t . dw_t
-        for (std::size_t c = 0; c < 2; ++c) {
-            v_t += on.tangent[a][c] * unit[c];
-            dw_t += on.tangent[b][c] * unit[c];
-            both += on.tangent[a][c] * on.tangent[b][c];
-        }
-        return (on.dp * (mu * k * on.n[b] * v_t) + on.p * (mu * gamma / to.size * (both - v_t * dw_t))) *
-               v.value * dw.value;
-    });
-}
-
-/// -sigma_t of the state at hand: mu p_n w_t/|w_t| where it slips, else the multiplier's projection.
-inline std::vector<Polynomial> coulomb_load(const Situation& at, const Contact& on, bool tangential) {
-    const double mu = at.constant("mu"), speed = std::hypot(on.w_t[0], on.w_t[1]);
-    const double size = std::hypot(at.multiplier[0], at.multiplier[1]);
-    const bool slips = Projection(at, on).slips;
-    const Vector2& along = slips ? on.w_t : at.multiplier;
-    return each(vector_shapes(at), [&](const auto& v) {
-        const Polynomial shape = tangential ? tangential_dot(v, on, along) : v.dot(along);
-        return slips ? on.p * (mu / speed) * shape : at.held ? shape : on.p * (mu / size) * shape;
     });
 }
 
@@ -372,20 +196,8 @@ inline std::map<std::string, ClosedForm> closed_forms() {
     });
     contact("coulomb.residual", Domain::contact, projected_load);
     contact("coulomb.jacobian", Domain::contact, projected_jacobian);
-    contact("coulomb.functional", Domain::contact, [](At at, On on) {
-        const Projection to(at, on);
-        std::vector<Polynomial> result;
-        for (const Polynomial& psi : support::shape_functions(2)) {
-            for (const double t : to.t) {
-                result.push_back(at.held ? psi * t : on.p * psi * (at.constant("mu") * t / to.size));
-            }
-        }
-        return result;
-    });
-    contact("coulomb.gram", Domain::contact, [](At, On) {
-        const auto shapes = support::shape_functions(2);
-        return outer(shapes, shapes, [](const auto& chi, const auto& dchi) { return chi * dchi; });
-    });
+    contact("coulomb.functional", Domain::contact, projected_functional);
+    contact("coulomb.gram", Domain::contact, multiplier_gram);
     contact("coulomb.slip_area", Domain::contact, [](At at, On on) {
         return std::vector<Polynomial>{at.closed && Projection(at, on).slips ? 1.0 : 0.0};
     });

@@ -39,6 +39,14 @@ TEST(Condition, NormOfOneColumnIsFound) {
     EXPECT_NEAR(estimate(B), 45, 1e-12);
 }
 
+/// The largest column is outweighed by the three others, so that the first gradient shows it with a minus.
+TEST(Condition, ColumnsOfEitherSignAreFound) {
+    const Eigen::VectorXd v = support::vector({1, -2, 3, 4});
+    Eigen::MatrixXd B(4, 4);
+    B << v, -0.4 * v, -0.4 * v, -0.4 * v;
+    EXPECT_NEAR(estimate(B), 10, 1e-12);
+}
+
 /// cond(T, x) by its definition.
 double exact_condition(const Eigen::MatrixXd& T, const Eigen::VectorXd& x) {
     return (T.inverse().cwiseAbs() * (T.cwiseAbs() * x.cwiseAbs())).lpNorm<Eigen::Infinity>() /

@@ -55,7 +55,7 @@ std::span<double> FrictionMultiplier::row(std::size_t facet) {
 }
 
 void FrictionMultiplier::show(std::size_t facet) {
-    std::ranges::fill(shown_, 0.0);
+    std::ranges::fill(shown_, 0.0);  // nodes off the facet count by rounding alone: the same in any order
     const double* value = row(facet).data();
     for (const int node : nodes_of(facet)) {
         std::copy_n(value, components_, shown_.begin() + node * components_);

@@ -82,6 +82,26 @@ TEST(ExactFriction, TheLawHoldsAtEveryNode) {
     EXPECT_LE(simulation.totals().force_residual, 1e-10);
 }
 
+/// The multiplier is the friction at the end of the step, by its bound at the displacement there: with one
+/// point a facet, the value in its middle times its length adds up to the resultant.
+TEST(ExactFriction, TheMultiplierIsTheFriction) {
+    const scene::Scene scene = support::repository_scene(
+        "paper", {exact, "mesh.cells=[8,8]", "time.steps=8", "boundary.bottom.contact.quadrature=1"});
+    Simulation simulation(scene);
+    while (!simulation.finished()) {
+        simulation.advance();
+        const std::vector<double>& multiplier = simulation.state().friction_multiplier;
+        constexpr std::size_t nodes = 3, middle = 2, d = 2;  // of a facet, as of degree 2
+        double sum = 0;
+        for (std::size_t facet = 0; facet * nodes * d < multiplier.size(); ++facet) {
+            sum += multiplier[(facet * nodes + middle) * d] / 8;
+        }
+        const double force = simulation.contact_measures().at("bottom").tangential_force;
+        EXPECT_NEAR(std::abs(sum), force, 1e-10 * force);
+        EXPECT_GT(force, 0.0) << "the case tests nothing";
+    }
+}
+
 /// Friction regularised errs by the order 1 in epsilon where the body sticks.
 TEST(ExactFriction, IsTheLimitOfRegularisedFriction) {
     const auto end = [](const std::string& epsilon) {

@@ -109,6 +109,10 @@ INSTANTIATE_TEST_SUITE_P(
                                             "time.coupling_tolerance=1e-12"})},
                     CutScene{"paper", with({"boundary.bottom.contact.friction.regularisation=0"})},
                     CutScene{"anisotropic", {"time.step=0.05", "time.end=0.6"}},
+                    CutScene{"anisotropic",
+                             {"time.step=0.05", "time.end=0.6", "boundary.bottom.contact.quadrature=4",
+                              "boundary.bottom.contact.friction.regularisation=0",
+                              "boundary.right.contact.friction={coefficient=0.3,regularisation=0}"}},
                     CutScene{"paper", with({"time.steps=4", "time.tolerance=2e-3"})},
                     CutScene{"paper",
                              with({"time.steps=4", "time.tolerance=2e-3", "time.scheme=\"bdf2\""})}));

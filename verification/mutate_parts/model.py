@@ -100,14 +100,6 @@ MUTATIONS = (
         "closed contact holds a body",
     ),
     Mutation(
-        "multiplier-other-facets",
-        "src/model/friction_multiplier.cpp",
-        "std::ranges::fill(shown_, 0.0);",
-        "",
-        "missing",
-        "a facet is shown no other facet's multiplier",
-    ),
-    Mutation(
         "multiplier-facet",
         "src/model/facet_term.cpp",
         "law.multiplier->show(i);",
@@ -135,7 +127,7 @@ MUTATIONS = (
         "multipliers-of-another-surface",
         "src/model/contact_surface.cpp",
         "static_cast<std::size_t>(first - mesh.facets.begin()) * row);",
-        "0);",
+        "static_cast<std::size_t>(first - first) * row);",
         "index",
         "the state keeps the multipliers of each surface in its own place",
     ),

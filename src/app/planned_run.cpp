@@ -2,8 +2,8 @@
 
 #include <iostream>
 
-#include "app/exit_code.h"
 #include "app/interruption.h"
+#include "app/planning.h"
 #include "app/run.h"
 #include "error.h"
 #include "parallel/together.h"
@@ -54,24 +54,18 @@ int planned_run(const RunCommand& command, const parallel::Backend* backend) {
             "run: --accuracy and --budget plan on one process; start without mpirun, or run what "
             "\"plan\" prints");
     }
-    catch_interruptions();
-    try {
-        plan::Bench bench({command.scene, command.overrides}, command.request->of, backend,
-                          throw_if_interrupted);
-        const plan::Plan plan = plan::Planner(bench, *command.request, true).make();
-        if (!plan.chosen) {
-            throw NumericsError("run: " + plan.refusal + "; nothing was run; \"plan\" tells what can be had");
-        }
-        if (!command.quiet) {
-            std::cout << plan::text(plan, command.scene.string());
-        }
-        return carry_out(plan, bench, command, backend);
-    } catch (const parallel::BackendNeeded&) {
-        parallel::continue_with_petsc();
-    } catch (const Interrupted& interrupted) {
-        std::cerr << "thermocontact: interrupted while planning\n";
-        return exit_of_signal(interrupted.signal);
-    }
+    return with_bench({command.scene, command.overrides}, command.request->of, backend,
+                      "interrupted while planning", [&](plan::Bench& bench) {
+                          const plan::Plan plan = plan::Planner(bench, *command.request, true).make();
+                          if (!plan.chosen) {
+                              throw NumericsError("run: " + plan.refusal +
+                                                  "; nothing was run; \"plan\" tells what can be had");
+                          }
+                          if (!command.quiet) {
+                              std::cout << plan::text(plan, command.scene.string());
+                          }
+                          return carry_out(plan, bench, command, backend);
+                      });
 }
 
 }  // namespace thermocontact::app

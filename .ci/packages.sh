@@ -2,6 +2,7 @@
 # Installs what thermocontact needs from Debian's packages, and those named; does nothing when all of it is there.
 set -eu
 
+command -v npm >/dev/null || set -- "$@" npm # of Debian's or of another origin
 packages="g++ clang clang-format libclang-rt-dev cmake ninja-build pkg-config
     libbasix-dev libcli11-dev libeigen3-dev libgmsh-dev libmetis-dev libmuparser-dev libopenblas-pthread-dev
     libopenblas0-pthread libopenmpi-dev petsc-dev

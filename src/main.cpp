@@ -12,6 +12,7 @@
 #include "app/plan.h"
 #include "app/planned_run.h"
 #include "app/run.h"
+#include "app/view.h"
 #include "error.h"
 #include "output/summary.h"
 #include "parallel/backend.h"
@@ -32,6 +33,10 @@ int execute(const app::PlanCommand& command, const parallel::Backend* backend) {
 
 int execute(const app::CheckCommand& command, const parallel::Backend*) {
     return app::check(command);
+}
+
+int execute(const app::ViewCommand& command, const parallel::Backend*) {
+    return app::view(command);
 }
 
 int execute(const app::SchemaCommand& command, const parallel::Backend*) {

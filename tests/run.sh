@@ -3,7 +3,7 @@
 set -eu
 . "$(dirname "$0")/../.ci/environment.sh"
 
-sh .ci/packages.sh
+sh .ci/packages.sh chromium
 cmake --preset release >/dev/null
 cmake --build build
 ctest --test-dir build --output-on-failure --parallel 2 "$@"

@@ -23,7 +23,9 @@ struct Words {
     std::string accuracy, budget, of = "norms";
     std::vector<std::string> overrides;
     std::string format = "toml";
+    std::string results, page;
     bool quiet = false;
+    bool keeps_closed = false;
     bool version = false;
 };
 
@@ -32,6 +34,7 @@ struct Parser {
     CLI::App* run = nullptr;
     CLI::App* plan = nullptr;
     CLI::App* check = nullptr;
+    CLI::App* view = nullptr;
     CLI::App* schema = nullptr;
     Words words;
 
@@ -61,6 +64,13 @@ Parser::Parser() {
 
     check = app.add_subcommand("check", "Validate a scene and print the physics found");
     add_scene(*check);
+
+    view = app.add_subcommand("view", "Make a page of a run's results and open it in the browser");
+    view->allow_extras();
+    view->add_option("DIR", words.results, "Folder of the results")->type_name("DIR");
+    view->add_option("--output", words.page, "File of the page; default: view.html in DIR")
+        ->type_name("FILE");
+    view->add_flag("--no-open", words.keeps_closed, "Only write the page");
 
     schema = app.add_subcommand("schema", "Print every scene key: type, unit, default, range, meaning");
     schema->allow_extras();
@@ -100,11 +110,16 @@ std::string bare_option(const std::string& word) {
     return word.substr(0, word.find('='));
 }
 
-[[noreturn]] void fail_unknown_command(const CLI::App& app, const std::string& word) {
+std::vector<std::string> command_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
         names.push_back(command->get_name());
     }
+    return names;
+}
+
+[[noreturn]] void fail_unknown_command(const CLI::App& app, const std::string& word) {
+    const std::vector<std::string> names = command_names(app);
     if (word.starts_with("-")) {
         const std::string near = did_you_mean(bare_option(word), option_names(app));
         throw SceneError("unknown option \"" + one_line(bare_option(word)) + "\" before the command" +
@@ -199,6 +214,15 @@ PlanCommand plan_command(const CLI::App& command, const Words& words) {
     return {scene, words.overrides, *request};
 }
 
+ViewCommand view_command(const Words& words) {
+    if (words.results.empty()) {
+        throw SceneError("view: no folder of results given; usage: thermocontact view DIR");
+    }
+    const std::filesystem::path results = words.results;
+    return {results, words.page.empty() ? results / "view.html" : std::filesystem::path(words.page),
+            !words.keeps_closed};
+}
+
 RunCommand run_command(const CLI::App& command, const Words& words) {
     const auto scene = scene_of(command, words);
     RunCommand run{scene,       output_of(command, words),  words.overrides,
@@ -221,7 +245,7 @@ Command command_of(const Parser& parser) {
         return VersionCommand{};
     }
     if (commands.empty()) {
-        throw SceneError("no command given; expected \"run\", \"plan\", \"check\" or \"schema\", or --help");
+        throw SceneError("no command given; expected " + one_of(command_names(parser.app)) + ", or --help");
     }
     const CLI::App& command = *commands.front();
     if (const auto extras = parser.app.remaining(true); !extras.empty()) {
@@ -235,6 +259,9 @@ Command command_of(const Parser& parser) {
     }
     if (&command == parser.check) {
         return CheckCommand{scene_of(command, words), words.overrides};
+    }
+    if (&command == parser.view) {
+        return view_command(words);
     }
     const std::vector<std::string> formats = {"toml", "json", "markdown"};
     if (std::find(formats.begin(), formats.end(), words.format) == formats.end()) {

@@ -36,14 +36,20 @@ struct SchemaCommand {
     std::string format;  ///< "toml" | "json" | "markdown"
 };
 
+struct ViewCommand {
+    std::filesystem::path results;  ///< folder of a run
+    std::filesystem::path page;     ///< default: view.html in it
+    bool opens = true;              ///< in the browser, where there is a screen
+};
+
 struct VersionCommand {};
 
 struct HelpCommand {
     std::string text;
 };
 
-using Command =
-    std::variant<RunCommand, PlanCommand, CheckCommand, SchemaCommand, VersionCommand, HelpCommand>;
+using Command = std::variant<RunCommand, PlanCommand, CheckCommand, ViewCommand, SchemaCommand,
+                             VersionCommand, HelpCommand>;
 
 /// Throws SceneError with one line that says what is wrong and names the nearest command or option.
 Command parse_command_line(int argc, const char* const* argv);

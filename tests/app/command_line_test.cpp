@@ -57,6 +57,17 @@ TEST(CommandLine, Schema) {
     EXPECT_EQ(as<SchemaCommand>({"schema", "--format=markdown"}).format, "markdown");
 }
 
+TEST(CommandLine, View) {
+    const auto view = as<ViewCommand>({"view", "results"});
+    EXPECT_EQ(view.results, "results");
+    EXPECT_EQ(view.page, "results/view.html");
+    EXPECT_TRUE(view.opens);
+    const auto kept = as<ViewCommand>({"view", "results", "--output=a.html", "--no-open"});
+    EXPECT_EQ(kept.page, "a.html");
+    EXPECT_FALSE(kept.opens);
+    EXPECT_EQ(message({"view"}), "view: no folder of results given; usage: thermocontact view DIR");
+}
+
 TEST(CommandLine, VersionAndHelp) {
     EXPECT_TRUE(std::holds_alternative<VersionCommand>(parse({"--version"})));
     const auto help = as<HelpCommand>({"--help"}).text;
@@ -71,10 +82,10 @@ TEST(CommandLine, VersionAndHelp) {
 
 TEST(CommandLine, MistakesInTheCommand) {
     EXPECT_EQ(message({}),
-              "no command given; expected \"run\", \"plan\", \"check\" or \"schema\", or --help");
+              "no command given; expected \"run\", \"plan\", \"check\", \"view\" or \"schema\", or --help");
     EXPECT_EQ(message({"rnu", "a.toml"}), "unknown command \"rnu\"; did you mean \"run\"?");
     EXPECT_EQ(message({"simulate"}),
-              "unknown command \"simulate\"; expected \"run\", \"plan\", \"check\" or \"schema\"");
+              "unknown command \"simulate\"; expected \"run\", \"plan\", \"check\", \"view\" or \"schema\"");
     EXPECT_EQ(message({"--verison"}),
               "unknown option \"--verison\" before the command; did you mean \"--version\"?");
     EXPECT_EQ(message({"--quiet", "run", "a.toml"}),

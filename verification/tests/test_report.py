@@ -12,6 +12,7 @@ import unittest
 from pathlib import Path
 
 import report
+from browser import CHROMIUM, DESKTOP, PHONE, look
 from report_parts import (
     agreement,
     audits,
@@ -227,9 +228,22 @@ class SmallPageTest(unittest.TestCase):
             self.assertEqual(text.count('<p class="verdict"><span class="mark ok">'), len(SECTIONS))
             self.assertGreaterEqual(len(re.findall(r'<img alt="[^"]+" src="data:image/png;base64,', text)), 2)
             self.assertNotIn("://", re.sub(r"base64,[^\"]*", "", text))
+            if CHROMIUM is not None:
+                self.check_in_browser(Path(folder, "report.html"))
             # results that are gone, or that say otherwise, are not answered with yes
             Path(folder, "orders", "orders.csv").unlink()
             self.assertEqual(report.main([*options, "--reuse", "--section", "orders"]), 1)
+
+    def check_in_browser(self, page: Path) -> None:
+        for window in (PHONE, DESKTOP):
+            backgrounds = set()
+            for dark in (False, True):
+                seen = look(page, window, dark)
+                self.assertEqual((seen.errors, seen.broken_images), ([], []))
+                self.assertLessEqual(seen.wider_by, 0)
+                self.assertGreaterEqual(seen.images, 2)
+                backgrounds.add(seen.background)
+            self.assertEqual(len(backgrounds), 2, "light and dark look the same")
 
 
 if __name__ == "__main__":

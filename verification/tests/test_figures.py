@@ -10,7 +10,9 @@ import unittest
 from pathlib import Path
 
 import numpy as np
+from PIL import Image
 
+import animate
 import figures
 from plotting import surface
 from plotting.results import Results
@@ -48,6 +50,29 @@ class Figures(unittest.TestCase):
             code = figures.main([*map(str, folders), "--output", str(output), "--small"])
         self.assertEqual(code, 0)
         return {path.name for path in output.iterdir()}
+
+    def test_a_moving_picture(self) -> None:
+        results = self.run_scene("impact", "time.steps=4", "mesh.cells=[4,4]", processes=2)
+        film = results / "film.gif"
+        with contextlib.redirect_stdout(None):
+            self.assertEqual(animate.main([str(results), "--output", str(film), "--frames", "3"]), 0)
+            with contextlib.redirect_stderr(None):
+                no_field = ["--output", str(film), "--field", "velocity"]
+                bare = self.run_scene("impact", "mesh.cells=[2,2]", 'output.fields=["temperature"]')
+                self.assertEqual(animate.main([str(bare), *no_field]), 2)
+        with Image.open(film) as image:
+            self.assertEqual(getattr(image, "n_frames", 1), 3)
+
+    def test_foundation_is_where_the_scene_says(self) -> None:
+        # at first nothing has moved, and the gap of the scene is what lies between the lower side and the foundation
+        results = Results(self.run_scene("impact", "mesh.cells=[4,4]", processes=2))
+        film = animate.Film(results, "temperature", 2, 1.0)
+        contact = film.contacts[0]
+        assert contact is not None
+        ground = animate.foundation(film.bodies[0], film.moved(0), contact)
+        x = contact.points[contact.cells][:, :, 0]
+        np.testing.assert_allclose(ground[:, :, 0], x, atol=1e-15)
+        np.testing.assert_allclose(ground[:, :, 1], -(0.2 + 0.02 * (2 * x - 1) ** 2), rtol=1e-14)
 
     def test_a_solid_of_tetrahedra(self) -> None:
         self.assertEqual(self.draw(self.run_scene("brake-pad")), BODY | {"contact-disc-final.png"})

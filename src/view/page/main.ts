@@ -41,7 +41,9 @@ class Page {
     this.stage = new Stage(find<HTMLCanvasElement>("stage"), this.inSpace);
     this.fill();
     this.listen();
-    this.stage.lookAt(grid, this.inSpace);
+    const { length } = results.times; // it may move far
+    const some = [0, Math.floor(length / 2), length - 1].map((index) => this.moved(results.body(index)));
+    this.stage.lookAt(some, this.inSpace);
     this.show();
   }
 
@@ -102,7 +104,7 @@ class Page {
     const lines = find<HTMLInputElement>("lines");
     lines.addEventListener("input", () => this.stage.showLines(lines.checked));
     find("play").addEventListener("click", () => this.play());
-    find("reset").addEventListener("click", () => this.stage.lookAt(this.results.body(0), this.inSpace));
+    find("reset").addEventListener("click", () => this.stage.lookAt([this.moved(this.grid(Number(this.time.value)))], this.inSpace));
   }
 
   private play(): void {

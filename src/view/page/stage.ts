@@ -54,9 +54,12 @@ export class Stage {
     new ResizeObserver(() => this.resize()).observe(canvas);
   }
 
-  /** Looks at the grid as it lies undeformed. */
-  lookAt(grid: Grid, inSpace: boolean): void {
-    const box = new THREE.Box3().setFromArray(grid.points as unknown as number[]);
+  /** Looks at all these points, each array [n][3]. */
+  lookAt(places: Float64Array[], inSpace: boolean): void {
+    const box = new THREE.Box3();
+    for (const points of places) {
+      box.union(new THREE.Box3().setFromArray(points as unknown as number[]));
+    }
     const centre = box.getCenter(new THREE.Vector3());
     this.radius = 0.5 * box.getSize(new THREE.Vector3()).length();
     const from = inSpace ? new THREE.Vector3(0.6, -1, 0.45) : new THREE.Vector3(0, 0, 1);

@@ -1,0 +1,164 @@
+"""A run as a moving picture (GIF): the body deformed and coloured, in the plane with the foundation beneath it.
+
+    python3 verification/animate.py DIR --output FILE.gif [--field temperature] [--frames 24] [--scale 1]
+
+Colours keep one range over all frames. The foundation is drawn where the driver's gap says that it is: the gap's length
+away from the deformed contact side, along the side's outward normal.
+
+Exit codes: 0 drawn, 1 the file cannot be written, 2 something that is needed is missing.
+"""
+
+import argparse
+import io
+import sys
+import textwrap
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+from plotting.body import MESH_COLOUR, OUTLINE_COLOUR, draw_axes
+from plotting.results import Results, Unusable
+from plotting.style import styled
+from plotting.surface import outline, surface, triangulation, view_of
+
+from oracle_parts import vtu
+from plotting import style
+
+# name: what it is, its unit, whether it is a value of cells
+FIELDS = {
+    "temperature": ("temperature", "K", False),
+    "von_mises": ("von Mises stress, mean of each cell", "Pa", True),
+    "velocity": ("speed", "m/s", False),
+}
+COLOURS = 64  # of a frame's palette: a moving picture in a README is not to be large
+WIDTH, LEAST_HEIGHT, DPI = 4.0, 2.0, 80  # inches, of the body's panel
+TITLE = 52  # characters a line
+Array = style.Any
+
+
+def values_of(grid: vtu.Grid, field: str) -> Array:
+    name, _, on_cells = FIELDS[field]
+    data = grid.cell_data if on_cells else grid.point_data
+    if field not in data:
+        raise Unusable(f"no field '{field}' ({name}); does output.fields of the scene leave it out?")
+    found = data[field]
+    return np.linalg.norm(found, axis=1) if found.ndim == 2 else found
+
+
+def displacement(grid: vtu.Grid) -> Array:
+    return grid.point_data.get("displacement", np.zeros_like(grid.points))
+
+
+def foundation(body: vtu.Grid, moved: Array, contact: vtu.Grid) -> Array:
+    """The foundation under each facet's nodes, [facets, nodes, 2]: gap n away from the deformed side."""
+    facets = contact.points[contact.cells][:, :, :2]
+    ends = facets[:, 1] - facets[:, 0]
+    normals = np.stack([ends[:, 1], -ends[:, 0]], axis=1) / np.linalg.norm(ends, axis=1, keepdims=True)
+    centres = body.points[body.cells][:, : vtu.VERTICES[body.cell_type], :2].mean(axis=1)
+    middles = facets[:, :2].mean(axis=1)
+    nearest = np.argmin(np.linalg.norm(middles[:, None] - centres[None], axis=2), axis=1)
+    normals *= np.sign(np.einsum("ij,ij->i", normals, middles - centres[nearest]))[:, None]
+    # the contact grid has points of its own: the body's at the same places tell where they went
+    places = {tuple(point): i for i, point in enumerate(body.points)}
+    now = np.array([moved[places[tuple(point)]][:2] for point in contact.points])
+    gap = contact.point_data["gap"][contact.cells][:, :, None]
+    return np.asarray(now[contact.cells] + gap * normals[:, None])
+
+
+class Film:
+    def __init__(self, results: Results, field: str, frames: int, scale: float) -> None:
+        self.field, self.scale, self.title = field, scale, str(results.scene.get("title", ""))
+        chosen = np.unique(np.linspace(0, len(results.steps) - 1, frames).round().astype(int))
+        self.times = [results.steps[i][0] for i in chosen]
+        self.bodies = [vtu.without_seams(vtu.read_grid(results.steps[i][1][0])) for i in chosen]
+        self.contacts = [
+            vtu.read_grid(results.steps[i][1][1]) if 1 in results.steps[i][1] else None for i in chosen
+        ]
+        self.view = view_of(self.bodies[-1], self.contacts[-1])
+        shown = [values_of(body, field) for body in self.bodies]
+        self.low = float(min(values.min() for values in shown))
+        self.high = float(max(values.max() for values in shown))
+        flat = np.concatenate([self.view.project(self.moved(i)) for i in range(len(chosen))])
+        margin = 0.06 * float(np.ptp(flat, axis=0).max())
+        self.corners = np.stack([flat.min(axis=0) - margin, flat.max(axis=0) + margin])
+
+    def moved(self, frame: int) -> Array:
+        body = self.bodies[frame]
+        return body.points + self.scale * displacement(body)
+
+    def frame(self, i: int) -> Image.Image:
+        body, moved = self.bodies[i], self.moved(i)
+        width, height = self.corners[1] - self.corners[0]
+        figure, axes = style.plt.subplots(
+            figsize=(WIDTH + 1.2, 1.3 + max(LEAST_HEIGHT, WIDTH * height / width))
+        )
+        seen = surface(body, self.view, moved)
+        triangles, owners = seen.triangles()
+        values = values_of(body, self.field)
+        name, unit, on_cells = FIELDS[self.field]
+        colours = {"facecolors": values[owners]} if on_cells else {"shading": "gouraud"}
+        arguments = [] if on_cells else [values]
+        drawn = axes.tripcolor(
+            triangulation(self.view, moved, triangles),
+            *arguments,
+            cmap="inferno",
+            vmin=self.low,
+            vmax=self.high,
+            **colours,
+        )
+        edges = seen.edges()[0] if len(seen.cells) < 2000 else outline(body, self.view)
+        lines = style.matplotlib.collections.LineCollection
+        axes.add_collection(
+            lines(self.view.project(moved)[edges], colors=MESH_COLOUR, linewidths=0.3, alpha=0.5)
+        )
+        contact = self.contacts[i]
+        if contact is not None and not self.view.solid and self.scale == 1.0:
+            ground = foundation(body, moved, contact)[:, :2]
+            axes.add_collection(lines(ground, colors=OUTLINE_COLOUR, linewidths=2.0))
+        axes.set_xlim(*self.corners[:, 0])
+        axes.set_ylim(*self.corners[:, 1])
+        axes.set_aspect("equal")
+        if self.view.solid:
+            draw_axes(axes, self.view)
+        else:
+            axes.set_xlabel("x (m)")
+            axes.set_ylabel("y (m)")
+        size = "" if self.scale == 1.0 else f", displacement × {self.scale:g}"
+        axes.set_title(f"{textwrap.fill(self.title, TITLE)}\nt = {self.times[i]:.4g} s{size}")
+        figure.colorbar(drawn, ax=axes, label=f"{name} ({unit})", shrink=0.9)
+        buffer = io.BytesIO()
+        figure.savefig(buffer, dpi=DPI, format="png")
+        style.plt.close(figure)
+        with Image.open(buffer) as image:
+            return image.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
+
+
+def main(arguments: Sequence[str]) -> int:
+    parser = argparse.ArgumentParser(description="Draw a run as a moving picture.")
+    parser.add_argument("folder", type=Path, metavar="DIR")
+    parser.add_argument("--output", type=Path, required=True, metavar="FILE.gif")
+    parser.add_argument("--field", choices=FIELDS, default="temperature")
+    parser.add_argument("--frames", type=int, default=24)
+    parser.add_argument("--scale", type=float, default=1.0, help="of the displacement; default 1")
+    options = parser.parse_args(arguments)
+    if options.frames < 2:
+        parser.error("--frames: expected at least 2")
+    try:
+        film = Film(Results(options.folder), options.field, options.frames, options.scale)
+        with styled():
+            frames = [film.frame(i) for i in range(len(film.times))]
+        first, *rest = frames
+        first.save(options.output, save_all=True, append_images=rest, duration=100, loop=0, optimize=True)
+    except Unusable as problem:
+        print(f"animate: {problem}", file=sys.stderr)
+        return 2
+    except OSError as problem:
+        print(f"animate: {problem}", file=sys.stderr)
+        return 1
+    print(options.output)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -16,7 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from extremes_parts import report
-from extremes_parts.cases import MENDED, Case, all_cases
+from extremes_parts.cases import CONTESTED, MENDED, Case, all_cases
 from extremes_parts.judge import BAD, COMPLETED, Verdict, judge
 from extremes_parts.report import Row
 from extremes_parts.runs import Driver
@@ -79,7 +79,7 @@ def with_second_opinions(rows: list[Row], driver: Driver, share: float) -> list[
 def study(options: argparse.Namespace, folder: Path) -> int:
     cases = [case for case in all_cases(options.draws) if options.only in f"{case.group}: {case.name}"]
     if options.mended:
-        cases = [case for case in cases if case.name in MENDED]
+        cases = [case for case in cases if case.name in MENDED | CONTESTED]
     if not cases:
         print(f"extremes: no case has {options.only!r} in its name", file=sys.stderr)
         return 2

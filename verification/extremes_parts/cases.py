@@ -25,6 +25,8 @@ MENDED = frozenset(
         *(f"draw {number}" for number in (69, 72, 74, 150, 157, 199, 217)),
     )
 )
+# Driver and oracle once differed by more than 1e-9 (the oracle's normals were rounded): compared in every run
+CONTESTED = frozenset(("epsilon = 0, c_n = 1.47e+11", "epsilon = 0, c_n = 1e+14"))
 EXACT_FRICTION = {f"{CONTACT}.friction.regularisation": 0.0}
 BESIDE_EXACT_FRICTION = ("c_n", "mu", "poisson", "viscosity", "young", "density", "T")
 GRID = 4  # values of each of a pair

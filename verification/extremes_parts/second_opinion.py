@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from extremes_parts.cases import SEED
+from extremes_parts.cases import CONTESTED, SEED
 from extremes_parts.judge import COMPLETED
 from extremes_parts.parameters import CONTACT
 from extremes_parts.runs import Driver
@@ -39,14 +39,15 @@ class Opinion:
 
 
 def second_opinions(rows: "Sequence[Row]", driver: Driver, share: float) -> dict[int, Opinion]:
-    """By the number of the row."""
+    """By the number of the row: a share at random, and those that were contested once."""
     completed = [
         number
         for number, row in enumerate(rows)
         if row.verdict.outcome == COMPLETED and int(row.case.scene["time.steps"]) <= LONGEST
     ]
     count = min(len(completed), round(share * len(completed) + 0.5)) if share > 0 else 0
-    chosen = sorted(random.Random(SEED).sample(completed, count))
+    contested = {number for number in completed if rows[number].case.name in CONTESTED}
+    chosen = sorted(contested.union(random.Random(SEED).sample(completed, count)))
     jobs = [
         (rows[number].ended.directory.with_suffix(".toml"), _oracle_folder(rows[number])) for number in chosen
     ]

@@ -35,10 +35,13 @@ MOST_UPDATES = 60
 SLIPS = 1e-6  # |w_t| gamma beyond this share of p_t
 
 
+def lagrange(cell: Any, degree: int) -> Any:
+    return basix.create_element(basix.ElementFamily.P, cell, degree, basix.LagrangeVariant.gll_warped)
+
+
 def lagrange_at(cell: Any, degree: int, points: Array) -> Array:
     """Values and first derivatives of the Lagrange functions, shape (1 + d, points, functions)."""
-    kind = basix.LagrangeVariant.gll_warped
-    values: Array = basix.create_element(basix.ElementFamily.P, cell, degree, kind).tabulate(1, points)
+    values: Array = lagrange(cell, degree).tabulate(1, points)
     return values[..., 0]
 
 
@@ -50,15 +53,18 @@ class ExactFriction:
         cell = getattr(basix.CellType, side.mesh.topology.cell_type.name)
         points, self.weights = _rule(FACETS[side.mesh.topology.cell_type], metadata)
         corners, facets = basix.geometry(cell), basix.topology(cell)[self.dimension - 1]
+        facet_slopes = lagrange_at(FACETS[side.mesh.topology.cell_type], 1, points)[1:]
         tabulated = []
-        for facet in facets:
+        for number, facet in enumerate(facets):
             origin = corners[facet[0]]
             # vertices 1 (and 2) of the facet span it from vertex 0
             along = np.array([corners[vertex] - origin for vertex in facet[1 : self.dimension]])
             inside = origin + points @ along
-            tabulated.append(
-                (lagrange_at(cell, 1, inside), lagrange_at(cell, scene.degree, inside)[0], along)
-            )
+            values = lagrange_at(cell, scene.degree, inside)[0]
+            # the others vanish there, but for a rounding that would carry displacements of the interior in
+            on_facet = lagrange(cell, scene.degree).entity_closure_dofs[self.dimension - 1][number]
+            values[:, np.setdiff1d(np.arange(values.shape[1]), on_facet)] = 0.0
+            tabulated.append((facet, values))
         count = side.mesh.topology.index_map(self.dimension).size_local
         geometry = np.asarray(
             side.mesh.geometry.dofmap.array
@@ -73,8 +79,8 @@ class ExactFriction:
         self.normals = np.zeros((*n, self.dimension))
         self.area = np.zeros(n)  # times weight: of each point
         for row, local in enumerate(local_facets):
-            linear, self.basis[row], along = tabulated[local]
-            self.normals[row], size = _normal_and_size(vertices[row], linear, along)
+            facet, self.basis[row] = tabulated[local]
+            self.normals[row], size = _normal_and_size(vertices[row], facet, facet_slopes)
             self.area[row] = self.weights * size
         self.multiplier = np.zeros((*n, self.dimension))
         self.resistance = self.gamma = 0.0
@@ -131,7 +137,8 @@ class ExactFriction:
         stress = projected(self.multiplier + self.gamma * slip, bound)
         forces = np.einsum("fq,fqi,fqc->fic", self.area, self.basis, self._tangential(stress))
         with vector.localForm() as local:
-            np.add.at(local.array, self._dofs(), forces.reshape(len(forces), -1))
+            dofs = self._dofs()
+            np.add.at(local.array, dofs, forces.reshape(dofs.shape))
 
     def add_derivative(
         self, matrix: Any, constrained: npt.NDArray[np.int32], u: Array, w: Array, tau: float
@@ -158,12 +165,13 @@ class ExactFriction:
         )
         dofs = self._dofs()
         dofs = np.where(np.isin(dofs, constrained), -1, dofs).astype(np.int32)
-        for row, block in zip(dofs, blocks.reshape(len(dofs), dofs.shape[1], dofs.shape[1])):
+        for row, block in zip(dofs, blocks.reshape(*dofs.shape, dofs.shape[1])):
             matrix.setValuesLocal(row, row, block, addv=PETSc.InsertMode.ADD)
 
     def _dofs(self) -> npt.NDArray[np.int32]:
         d = self.dimension
-        dofs: npt.NDArray[np.int32] = (self.nodes[:, :, None] * d + np.arange(d)).reshape(len(self.nodes), -1)
+        facets, nodes = self.nodes.shape  # of this process: maybe none
+        dofs: npt.NDArray[np.int32] = (self.nodes[:, :, None] * d + np.arange(d)).reshape(facets, nodes * d)
         return dofs
 
     # Results
@@ -257,17 +265,22 @@ def _rule(facet: Any, metadata: dict[str, Any]) -> tuple[Array, Array]:
     return np.asarray(points), np.asarray(weights)
 
 
-def _normal_and_size(vertices: Array, linear: Array, along: Array) -> tuple[Array, Array]:
-    """Unit outward normals at the points of a facet, and the size of area per size in the reference facet."""
-    d = along.shape[1]
-    jacobian = np.einsum("kqi,ic->qck", linear[1:], vertices[:, :d])
-    tangents = np.einsum("qck,ak->qac", jacobian, along)
+def _normal_and_size(vertices: Array, facet: Sequence[int], slopes: Array) -> tuple[Array, Array]:
+    """Unit outward normals at the points of a facet, and the size of area per size in the reference facet.
+
+    `facet`: its vertices; `slopes` of its linear functions at the points. Only differences to its first vertex enter:
+    what they have in common leaves no rounding, and a facet along an axis has exact zeros in its normal. The share of a
+    large slip that they would let into the penetration (1e-16 of it) is much of one under contact as stiff as 1e14.
+    """
+    d = vertices.shape[1] if len(facet) > 2 else 2
+    spans = vertices[list(facet), :d] - vertices[facet[0], :d]
+    tangents = np.einsum("aqi,ic->qac", slopes, spans)
     if d == 2:
         normal = np.stack((tangents[:, 0, 1], -tangents[:, 0, 0]), axis=1)
     else:
         normal = np.cross(tangents[:, 0], tangents[:, 1])
     size = np.linalg.norm(normal, axis=1)
     normal = normal / size[:, None]
-    outward = np.einsum("qi,ic->qc", linear[0], vertices[:, :d]) - vertices[:, :d].mean(axis=0)
-    normal[np.sum(normal * outward, axis=1) < 0] *= -1.0
+    outward = vertices[list(facet), :d].mean(axis=0) - vertices[:, :d].mean(axis=0)
+    normal[normal @ outward < 0] *= -1.0
     return normal, size

@@ -1,8 +1,9 @@
 """Push every parameter to its limits, and see that each run completes or says clearly why it stopped.
 
-    extremes.py [--driver PROGRAM] [--output DIR] [--draws N] [--only TEXT | --mended] [--second-opinion SHARE]
+    extremes.py [--driver PROGRAM] [--output DIR] [--draws N] [--seed S] [--only TEXT | --mended]
+                [--second-opinion SHARE]
 
-Runs each parameter alone, pairs of them, situations and random draws (fixed seed) on a small scene that has all physics.
+Runs each parameter alone, pairs of them, situations and random draws (fixed seed), some in space or by the other strategy, on a small scene that has all physics.
 A tenth of the completed cases, drawn at random, is solved again by the oracle. With --output: cases.csv, maps of
 parameter against parameter, and the scenes.
 
@@ -16,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from extremes_parts import report
-from extremes_parts.cases import CONTESTED, MENDED, Case, all_cases
+from extremes_parts.cases import CONTESTED, MENDED, SEED, Case, all_cases
 from extremes_parts.judge import BAD, COMPLETED, Verdict, judge
 from extremes_parts.report import Row
 from extremes_parts.runs import Driver
@@ -35,6 +36,7 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--driver", type=Path, default=built)
     parser.add_argument("--output", type=Path, help="folder for the table, the maps and the scenes")
     parser.add_argument("--draws", type=int, default=240, help="number of random draws (default 240)")
+    parser.add_argument("--seed", type=int, default=SEED, help="of the draws")
     chosen = parser.add_mutually_exclusive_group()
     chosen.add_argument("--only", default="", metavar="TEXT", help="cases whose group or name has this text")
     chosen.add_argument("--mended", action="store_true", help="cases that failed once, and must not again")
@@ -77,7 +79,11 @@ def with_second_opinions(rows: list[Row], driver: Driver, share: float) -> list[
 
 
 def study(options: argparse.Namespace, folder: Path) -> int:
-    cases = [case for case in all_cases(options.draws) if options.only in f"{case.group}: {case.name}"]
+    cases = [
+        case
+        for case in all_cases(options.draws, options.seed)
+        if options.only in f"{case.group}: {case.name}"
+    ]
     if options.mended:
         cases = [case for case in cases if case.name in MENDED | CONTESTED]
     if not cases:

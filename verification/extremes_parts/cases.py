@@ -1,4 +1,4 @@
-"""The cases: each parameter alone, pairs of them on a grid, random draws, and situations.
+"""The cases: each parameter alone, in space and by the other strategy, pairs on a grid, random draws, and situations.
 
 A case is a name (unique, what it does), a group, and a scene. Draws come from one seed, so that a name always means
 the same scene.
@@ -9,8 +9,8 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from extremes_parts.parameters import BASE, BY_NAME, CONTACT, PAIRS, PARAMETERS, Parameter
-from extremes_parts.situations import situations
+from extremes_parts.parameters import BASE, BY_NAME, CONTACT, IN_SPACE, PAIRS, PARAMETERS, Parameter, in_space
+from extremes_parts.situations import situations, situations_in_space
 from matrix_parts.scenes import Flat, changed
 
 # They stopped or ended badly once: motions that nothing held, and round-off beyond the tolerance
@@ -27,6 +27,8 @@ MENDED = frozenset(
 )
 # Driver and oracle once differed by more than 1e-9 (the oracle's normals were rounded): compared in every run
 CONTESTED = frozenset(("epsilon = 0, c_n = 1.47e+11", "epsilon = 0, c_n = 1e+14"))
+NEWTON_KRYLOV = {"solver.strategy": "newton-krylov"}
+MOST_STEPS = 100  # of situations by that strategy
 EXACT_FRICTION = {f"{CONTACT}.friction.regularisation": 0.0}
 BESIDE_EXACT_FRICTION = ("c_n", "mu", "poisson", "viscosity", "young", "density", "T")
 GRID = 4  # values of each of a pair
@@ -36,7 +38,7 @@ SEED = 20260101
 @dataclass(frozen=True)
 class Case:
     name: str
-    group: str  # "alone", "exact friction", "pair", "draw", "situation"
+    group: str  # of report.GROUPS
     scene: Flat
     values: tuple[tuple[str, float], ...] = ()
     singular: bool = (
@@ -44,8 +46,8 @@ class Case:
     )
 
 
-def all_cases(draws: int) -> list[Case]:
-    cases = [*_alone(), *_exact_friction(), *_pairs(), *_draws(draws)]
+def all_cases(draws: int, seed: int = SEED) -> list[Case]:
+    cases = [*_alone(), *_exact_friction(), *_in_space(), *_newton_krylov(), *_pairs(), *_draws(draws, seed)]
     cases += [Case(s.name, "situation", s.scene, (), s.singular) for s in situations()]
     names = [case.name for case in cases]
     if len(set(names)) != len(names):
@@ -75,6 +77,39 @@ def _exact_friction() -> Iterator[Case]:
         for value in parameter.values:
             case = _case("", [(parameter, value)])
             yield Case(f"epsilon = 0, {case.name}", "exact friction", {**case.scene, **EXACT_FRICTION})
+    for s in situations():
+        if f"{CONTACT}.friction.coefficient" in s.scene:
+            scene = {**s.scene, **EXACT_FRICTION}
+            yield Case(f"epsilon = 0, {s.name}", "exact friction", scene, (), s.singular)
+
+
+def _limits(parameter: Parameter) -> list[float]:
+    """The first value, which is zero where there is one, and the least and greatest."""
+    return sorted({parameter.values[0], min(parameter.values), max(parameter.values)})
+
+
+def _in_space() -> Iterator[Case]:
+    """Tetrahedra and hexahedra in turn."""
+    cells = itertools.cycle(("simplex", "tensor"))
+    for parameter in PARAMETERS:
+        for value in _limits(parameter):
+            scene = changed({**IN_SPACE, "mesh.cell": next(cells)}, in_space(parameter.keys(value)))
+            yield Case(f"in space, {parameter.name} = {value:.6g}", "in space", scene)
+    for s in situations_in_space():
+        yield Case(f"in space, {s.name}", "in space", s.scene, (), s.singular)
+
+
+def _newton_krylov() -> Iterator[Case]:
+    for parameter in PARAMETERS:
+        for value in _limits(parameter):
+            case = _case("", [(parameter, value)])
+            yield Case(f"newton-krylov, {case.name}", "newton-krylov", {**case.scene, **NEWTON_KRYLOV})
+    for scene, name in ((BASE, "epsilon = 0"), (IN_SPACE, "in space, epsilon = 0")):
+        yield Case(f"newton-krylov, {name}", "newton-krylov", {**scene, **EXACT_FRICTION, **NEWTON_KRYLOV})
+    for s in situations():
+        if s.scene["time.steps"] <= MOST_STEPS and "contact" in " ".join(s.scene):
+            scene = {**s.scene, **NEWTON_KRYLOV}
+            yield Case(f"newton-krylov, {s.name}", "newton-krylov", scene, (), s.singular)
 
 
 def _spread(parameter: Parameter) -> list[float]:
@@ -90,8 +125,8 @@ def _pairs() -> Iterator[Case]:
             yield _case("pair", [(a, value), (b, other)])
 
 
-def _draws(count: int) -> Iterator[Case]:
-    generator = random.Random(SEED)
+def _draws(count: int, seed: int) -> Iterator[Case]:
+    generator = random.Random(seed)
     for number in range(count):
         # half of them draw a few parameters, the others all
         some = generator.randint(2, 5) if number % 2 == 0 else len(PARAMETERS)

@@ -41,6 +41,18 @@ BASE: Final[Flat] = {
     f"{CONTACT}.conductance.foundation_temperature": 10.0,
 }
 
+# A box of the same data: 2 x 2 x 2 cells, pushed along z as well
+IN_SPACE: Final[Flat] = BASE | {
+    "mesh.shape": "box",
+    "mesh.cells": [2, 2, 2],
+    "heat.thermal_stress": [[1.0] * 3] * 3,
+    "heat.strain_heating": [[1.0] * 3] * 3,
+    "load.body_force": [0.0, -1.0, 0.2],
+    "boundary.top.displacement": [0.0, 0.0, 0.0],
+    "boundary.left.traction": [1.4, 0.4, 0.1],
+    "boundary.right.traction": [-0.8, 0.4, 0.1],
+}
+
 Changes = Mapping[str, Any]
 
 
@@ -92,6 +104,15 @@ def all_ones(name: str) -> Callable[[float], Changes]:
 
 def poisson(value: float) -> Changes:
     return {"material.elasticity.poisson": value, "material.elasticity.plane": "strain"}
+
+
+def in_space(changes: Changes) -> Changes:
+    """The same of a box: a tensor whose entries are all the same has three rows, and no plane is asked for."""
+    return {
+        name: [[value[0][0]] * 3] * 3 if isinstance(value, list) else value
+        for name, value in changes.items()
+        if name != "material.elasticity.plane"
+    }
 
 
 def decades(low: int, high: int, count: int = 5, *others: float) -> tuple[float, ...]:

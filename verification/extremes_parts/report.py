@@ -11,7 +11,7 @@ from extremes_parts.judge import BAD, COMPLETED, STOPPED, Verdict
 from extremes_parts.runs import Ended
 from extremes_parts.second_opinion import Opinion
 
-GROUPS = ("alone", "exact friction", "pair", "draw", "situation")
+GROUPS = ("alone", "exact friction", "in space", "newton-krylov", "pair", "draw", "situation")
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Row:
 
 def print_table(rows: Sequence[Row]) -> None:
     print(
-        f"{'group':<12} {'cases':>5} {COMPLETED:>10} {STOPPED:>8} {BAD:>5} {'retries':>8} {'longest run':>12}"
+        f"{'group':<14} {'cases':>5} {COMPLETED:>10} {STOPPED:>8} {BAD:>5} {'retries':>8} {'longest run':>12}"
     )
     for name in (*GROUPS, "all"):
         chosen = [row for row in rows if name in (row.case.group, "all")]
@@ -46,7 +46,7 @@ def _line(name: str, rows: Sequence[Row]) -> str:
     outcomes = Counter(row.verdict.outcome for row in rows)
     retries = sum(row.verdict.retries > 0 for row in rows)
     return (
-        f"{name:<12} {len(rows):>5} {outcomes[COMPLETED]:>10} {outcomes[STOPPED]:>8} {outcomes[BAD]:>5} "
+        f"{name:<14} {len(rows):>5} {outcomes[COMPLETED]:>10} {outcomes[STOPPED]:>8} {outcomes[BAD]:>5} "
         f"{retries:>8} {max(row.ended.seconds for row in rows):>10.1f} s"
     )
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from extremes_parts.parameters import BASE, CONTACT
+from extremes_parts.parameters import BASE, CONTACT, IN_SPACE
 from matrix_parts.scenes import ABSENT, Flat, changed
 
 
@@ -20,6 +20,13 @@ def situations() -> Iterator[Situation]:
         yield Situation(name, changed(BASE, changes))
     for name, changes in _SINGULAR.items():
         yield Situation(name, changed(BASE, changes), singular=True)
+
+
+def situations_in_space() -> Iterator[Situation]:
+    for name, changes in _IN_SPACE.items():
+        yield Situation(name, changed(IN_SPACE, changes))
+    for name, changes in _SINGULAR_IN_SPACE.items():
+        yield Situation(name, changed(IN_SPACE, changes), singular=True)
 
 
 _FREE = {"boundary.top": ABSENT, "boundary.left.temperature": ABSENT, "boundary.right.temperature": ABSENT}
@@ -146,5 +153,56 @@ _SINGULAR: dict[str, dict[str, Any]] = {
         "heat.capacity": ABSENT,
         f"{CONTACT}.gap": 1.0,
         **{f"boundary.{side}.temperature": ABSENT for side in ("top", "left", "right")},
+    },
+}
+
+_IN_SPACE: dict[str, dict[str, Any]] = {
+    "epsilon = 0": {f"{CONTACT}.friction.regularisation": 0.0},
+    "epsilon = 0, hexahedra": {f"{CONTACT}.friction.regularisation": 0.0, "mesh.cell": "tensor"},
+    "one cell": {"mesh.cells": [1, 1, 1], "mesh.cell": "tensor"},
+    "one cell of degree 2": {"mesh.cells": [1, 1, 1], "mesh.cell": "tensor", "space.degree": 2},
+    "one step for all of T": {"time.steps": 1},
+    "cells stretched 1e4 : 1": {"mesh.upper": [1e4, 1.0, 1.0]},
+    "slivers": {"mesh.upper": [1.0, 1.0, 1e3]},
+    "initial penetration": {f"{CONTACT}.gap": -0.5},
+    "never in contact": {f"{CONTACT}.gap": 1e6},
+    "huge initial velocity": {"initial.velocity": [1e6, -1e6, 1e6], "boundary.top.displacement": ABSENT},
+    "impact": {
+        **_MECHANICS_ONLY,
+        **_NO_LOAD,
+        "boundary.top": ABSENT,
+        "initial.velocity": [1.0, -10.0, 2.0],
+        f"{CONTACT}.gap": 0.1,
+        "material.viscosity": ABSENT,
+        "time.steps": 32,
+    },
+    "everything stuck": {
+        f"{CONTACT}.friction.coefficient": 10.0,
+        "load.body_force": [0.1, -100.0, 0.1],
+    },
+    "everything slipping": {
+        "boundary.top.displacement": ["t", "-0.01*t", "0.5*t"],
+        f"{CONTACT}.friction.regularisation": 1e-8,
+    },
+    "opening and closing each step": {
+        "boundary.top.displacement": [0.0, "0.05*cos(8*pi*t)", 0.0],
+        f"{CONTACT}.gap": 0.01,
+        "time.steps": 32,
+    },
+    "clamped side touching the contact side": {
+        "boundary.right.displacement": [0.0, 0.0, 0.0],
+        "boundary.right.traction": ABSENT,
+    },
+    "no load at all": {**_NO_LOAD, f"{CONTACT}.conductance.foundation_temperature": 0.0},
+    "singular K": {"heat.conductivity": [[1.0] * 3] * 3},
+}
+
+_SINGULAR_IN_SPACE: dict[str, dict[str, Any]] = {
+    "static and free, open": {
+        **_MECHANICS_ONLY,
+        **_STATIC,
+        **_NO_LOAD,
+        "boundary.top": ABSENT,
+        f"{CONTACT}.gap": 1.0,
     },
 }

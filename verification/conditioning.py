@@ -30,7 +30,7 @@ from typing import Any
 import numpy as np
 
 from conditioning_parts.exact import EPSILON, Loss, measure
-from extremes_parts.parameters import BASE, CONTACT
+from extremes_parts.parameters import BASE, CONTACT, IN_SPACE
 from matrix_parts.scenes import Flat, write
 from under_test import ROOT
 
@@ -83,6 +83,32 @@ CASES: dict[str, Flat] = {
     "K singular": SMALL | {"heat.conductivity": [[1.0, 1.0], [1.0, 1.0]]},
     "k_c = 1e8": SMALL | {CONDUCTANCE: 1e8},
     "mu = 10": SMALL | {f"{CONTACT}.friction.coefficient": 10.0},
+    "c_n = 1e14": SMALL | {STIFFNESS: 1e14},
+    "E = 1e14": SMALL | {"material.elasticity.young": 1e14},
+    "nu = 0.49999, static": STATIC
+    | {"material.elasticity.poisson": 0.49999, "material.elasticity.plane": "strain"},
+    "nu = -0.99, static": STATIC | {"material.elasticity.poisson": -0.99},
+    "no viscosity": without(SMALL, "material.viscosity"),
+    "no inertia": without(SMALL, "material.density"),
+    "no inertia, no viscosity": without(SMALL, "material.density", "material.viscosity"),
+    "K = 0": without(SMALL, "heat.conductivity"),
+    "M = 1e6, R = -1e6": SMALL
+    | {"heat.thermal_stress": [[1e6, 1e6]] * 2, "heat.strain_heating": [[-1e6, -1e6]] * 2},
+    "k_c = 0": SMALL | {CONDUCTANCE: 0.0},
+    "k_c = 1e12, no cold corner": without(SMALL, "boundary.left.temperature", "boundary.right.temperature")
+    | {CONDUCTANCE: 1e12},
+    "onset 1e-16": SMALL | {f"{CONTACT}.conductance.onset": 1e-16},
+    "onset 1": SMALL | {f"{CONTACT}.conductance.onset": 1.0},
+    "theta_F = 1e8": SMALL | {f"{CONTACT}.conductance.foundation_temperature": 1e8},
+    "theta_F = -1e8": SMALL | {f"{CONTACT}.conductance.foundation_temperature": -1e8},
+    "L = 1e-6": SMALL | {f"{CONTACT}.conductance.limit": 1e-6},
+    "mu = 0": SMALL | {f"{CONTACT}.friction.coefficient": 0.0},
+    "epsilon = 1e-12": SMALL | {f"{CONTACT}.friction.regularisation": 1e-12},
+    "epsilon = 1e2": SMALL | {f"{CONTACT}.friction.regularisation": 1e2},
+    "epsilon = 0": SMALL | {f"{CONTACT}.friction.regularisation": 0.0},
+    "slivers, crossed": SMALL | {"mesh.upper": [1e3, 1.0], "mesh.diagonal": "crossed"},
+    "in space": IN_SPACE | {"time.steps": 4},
+    "in space, c_n = 1e12": IN_SPACE | {"time.steps": 4, STIFFNESS: 1e12},
     "E = 1e4, held by c_n = 1": ON_A_FOUNDATION | {"material.elasticity.young": 1e4},
     "E = 1e6, held by c_n = 1": ON_A_FOUNDATION | {"material.elasticity.young": 1e6},
 }

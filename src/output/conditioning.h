@@ -10,20 +10,23 @@
 
 namespace thermocontact::output {
 
-/// Of one balance, in the last step; empty where no factors tell (strategy "newton-krylov", no step solved).
+/// Of one balance, in the last step; empty where nothing tells (no step solved, or it would take long).
 struct BalanceCondition {
     std::string balance;  ///< "momentum", "heat"
     std::optional<solve::Condition> condition;
 };
 
-/// A few solves with the factors of each balance.
+/// A few solves with the last system of each balance. Every process must call.
 std::vector<BalanceCondition> conditions(march::Simulation& simulation);
 
 /// The summary's `conditioning`: `condition` of all unknowns, `contact_condition` of the condensed ones,
-/// `digits` that the former leaves; null where nothing is known.
+/// `digits` that the former leaves; null where nothing is known, the second by strategy "newton-krylov".
 nlohmann::ordered_json to_json(const std::vector<BalanceCondition>& conditions);
 
 /// What to warn of: a balance with fewer than six digits; empty where there is none.
 std::string warning(const std::vector<BalanceCondition>& conditions);
+
+/// Also of balances that some step kept only to more than 1e-8 of their terms, which is asked of every run.
+std::string warning(const std::vector<BalanceCondition>& conditions, const march::Totals& totals);
 
 }  // namespace thermocontact::output

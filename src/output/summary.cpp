@@ -84,7 +84,7 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     result["audit"] = {
         {"energy", totals.energy_residual}, {"heat", totals.heat_residual}, {"force", totals.force_residual}};
     result["conditioning"] = to_json(conditions);
-    if (const std::string text = warning(conditions); !text.empty()) {
+    if (const std::string text = warning(conditions, totals); !text.empty()) {
         result["warning"] = text;
     }
     const march::StepSeconds parts = simulation.step_seconds();

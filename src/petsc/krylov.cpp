@@ -41,6 +41,7 @@ KrylovProblem::KrylovProblem(const solve::StepProblemInput& input, const paralle
                              const parallel::Team& team)
     : name_(input.name),
       matrix_(&input.matrix),
+      numbers_(&part.numbers),
       team_(&team),
       fixed_(input.fixed),
       options_(input.newton),
@@ -170,6 +171,7 @@ bool KrylovProblem::solve_linear(double tolerance) {
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         check(KSPGetConvergedReason(solver_, &reason));
         check(KSPGetIterationNumber(solver_, &iterations));
+        iterations_ += iterations;
         return reason > 0;
     };
     check(KSPSetTolerances(solver_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations));
@@ -247,6 +249,7 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         ~Reset() { VecResetArray(vector); }
     } reset{x_};
     rounding_ *= forgotten;
+    began_ = true;
     Residual current = residual(F, x_);
     double forcing = has_contact_ ? loosest : tightest;
     solve::CycleDetector cycle;
@@ -275,7 +278,7 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         const bool is_last = forcing * current.relative <= near_tolerance * options_.tolerance;
         const double wanted = is_last ? end : std::max(forcing, end);
         if (!solve_linear(std::clamp(wanted, tightest, loosest))) {
-            return stalled(NewtonEnd::singular);
+            return stalled(NewtonEnd::not_solved);
         }
         const double before = current.norm;
         Residual next{};

@@ -25,6 +25,9 @@ class KrylovProblem final : public solve::StepProblem {
     void evaluate_at(const Eigen::VectorXd& x, solve::NonlinearTerm& F) override;
     double largest_unknown(const Eigen::VectorXd& start) override;
     bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) override;
+    /// By solves with the last tangent (krylov_condition.cpp); nothing where they would take more than a
+    /// hundredth of the run's. Every process must call.
+    std::optional<solve::Condition> condition(const std::vector<double>& solution) override;
 
   private:
     struct Residual {
@@ -38,6 +41,9 @@ class KrylovProblem final : public solve::StepProblem {
     void polish(solve::NonlinearTerm& F, Residual& current);
     double goal() const;
     bool is_round_off(solve::NonlinearTerm& F, const Residual& current);
+    bool estimate_is_cheap() const;
+    Eigen::VectorXd whole(const std::vector<double>& local, bool adds_up) const;
+    std::optional<Eigen::VectorXd> solve_whole(const Eigen::VectorXd& rhs, bool transposed);
     void take(Vec x);
     void renew_hierarchy();
     void free_only(std::vector<double>& local) const;
@@ -46,6 +52,7 @@ class KrylovProblem final : public solve::StepProblem {
 
     std::string name_;
     const fem::BlockMatrix* matrix_;
+    const parallel::NodeNumbers* numbers_;
     const parallel::Team* team_;
     std::vector<char> fixed_;
     solve::NewtonOptions options_;
@@ -60,6 +67,8 @@ class KrylovProblem final : public solve::StepProblem {
     std::vector<double> local_x_, local_, local_z_;
     Eigen::VectorXd contact_x_, contact_F_;
     double rounding_ = 0;               ///< the relative residual that rounding has left, as far as is known
+    bool began_ = false;                ///< a solve, so that there is a tangent
+    std::int64_t iterations_ = 0;       ///< of all linear solves
     std::optional<double> fresh_rate_;  ///< iterations a digit with a new hierarchy; empty: time for one
 };
 

@@ -1,6 +1,7 @@
 #include "petsc/tangent.h"
 
 #include <cmath>
+#include <utility>
 
 #include "petsc/check.h"
 #include "petsc/events.h"
@@ -150,6 +151,18 @@ void Tangent::add_derivative(const std::vector<double>& x, std::vector<double>& 
 
 void Tangent::add_derivative_magnitudes(const std::vector<double>& x, std::vector<double>& y) const {
     add_products(derivative_, x, y, [](double value) { return std::abs(value); });
+}
+
+void Tangent::transpose() {
+    double* values = derivative_.values.data();
+    for (const std::int32_t n : derivative_.sizes) {
+        for (std::int32_t i = 0; i < n; ++i) {
+            for (std::int32_t j = 0; j < i; ++j) {
+                std::swap(values[i * n + j], values[j * n + i]);
+            }
+        }
+        values += std::ptrdiff_t{n} * n;
+    }
 }
 
 void Tangent::drop_derivative() {

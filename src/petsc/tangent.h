@@ -29,6 +29,9 @@ class Tangent {
                         const std::vector<std::int32_t>& dofs);
     void drop_derivative();
 
+    /// dF/dx becomes its transpose, as does the matrix that the shell multiplies by: A is symmetric.
+    void transpose();
+
     /// The matrix as PETSc's solvers take it: it can be multiplied, and tells its diagonal.
     Mat shell() const { return shell_; }
 

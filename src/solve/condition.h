@@ -18,6 +18,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "fem/block_matrix.h"
@@ -26,8 +27,8 @@ namespace thermocontact::solve {
 
 /// Of one system; 1 is the best there is.
 struct Condition {
-    double system;   ///< of A + dF/dx over all unknowns
-    double contact;  ///< of S + dF/dx over the contact unknowns; 1 where there are none
+    double system;                  ///< of A + dF/dx over all unknowns
+    std::optional<double> contact;  ///< of S + dF/dx over the contact unknowns, where S is known; 1: none
 };
 
 /// Decimal digits that a condition number leaves of a double's: -log10(epsilon condition), not below 0.

@@ -29,6 +29,8 @@ const char* describe(NewtonEnd end) {
             return "a value that is not finite";
         case NewtonEnd::singular:
             return "a singular Newton matrix";
+        case NewtonEnd::not_solved:
+            return "a linear system that its iteration did not solve";
     }
     return "";
 }

@@ -44,7 +44,15 @@ struct NewtonOptions {
     int max_iterations;  ///< updates of x
 };
 
-enum class NewtonEnd { converged, too_many_iterations, cycling, line_search_failed, not_finite, singular };
+enum class NewtonEnd {
+    converged,
+    too_many_iterations,
+    cycling,
+    line_search_failed,
+    not_finite,
+    singular,
+    not_solved
+};
 
 struct NewtonResult {
     NewtonEnd end;

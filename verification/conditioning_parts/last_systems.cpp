@@ -109,7 +109,7 @@ nlohmann::json solved(march::Balance& balance) {
     nlohmann::json json{{"end", solve::describe(result.end)}};
     if (condition) {
         json["condition"] = condition->system;
-        json["contact_condition"] = condition->contact;
+        json["contact_condition"] = condition->contact.value_or(1.0);
     }
     json["matrix"] = nlohmann::json::array();
     for (const Eigen::Index i : free) {

@@ -20,11 +20,16 @@ NOTHING = (
 
 def change(a: Path, b: Path) -> tuple[float, str]:
     """The difference and where it was found."""
+    return max(changes(a, b))
+
+
+def changes(a: Path, b: Path) -> list[tuple[float, str]]:
+    """All of them."""
     found = [(0.0, "nothing")]
     found += _in_numbers(a, b)
     if (a / "fields.pvd").exists() and (b / "fields.pvd").exists():
         found += _in_fields(a, b)
-    return max(found)
+    return found
 
 
 def _in_numbers(a: Path, b: Path) -> list[tuple[float, str]]:

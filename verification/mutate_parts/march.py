@@ -12,14 +12,6 @@ MUTATIONS = (
         "exact friction is solved with the multiplier that it leads to",
     ),
     Mutation(
-        "multiplier-after-a-failure",
-        "src/march/momentum.cpp",
-        "model::set_multipliers(*surfaces_, *mesh_, state.friction_multiplier);  // not those of a step that failed",
-        "",
-        "state",
-        "a step begins with the multiplier of the state, not with that of an attempt that failed",
-    ),
-    Mutation(
         "multiplier-not-kept",
         "src/march/momentum.cpp",
         "state.friction_multiplier = model::multipliers_of(*surfaces_, *mesh_);",

@@ -124,14 +124,6 @@ MUTATIONS = (
         "the traction of a facet that sticks is its own",
     ),
     Mutation(
-        "multipliers-of-another-surface",
-        "src/model/contact_surface.cpp",
-        "static_cast<std::size_t>(first - mesh.facets.begin()) * row);",
-        "static_cast<std::size_t>(first - first) * row);",
-        "index",
-        "the state keeps the multipliers of each surface in its own place",
-    ),
-    Mutation(
         "smallest-regularisation",
         "src/model/facet_term.cpp",
         "law.regularisation < smallest",

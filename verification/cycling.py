@@ -1,0 +1,87 @@
+"""Contact states that recur: every strategy stops going round, recovers by continuation, and says so in the same words.
+
+    cycling.py [--driver PROGRAM] [--processes P]...
+
+A block with mu = 10 pressed and thrown to the side, one of some 1200 random scenes of which strategy "newton-krylov" goes
+round in circles in nine. For "condensed", and for "newton-krylov" on one and on each number of processes: the run
+completes, `cycles` and `retries` of history.csv add up to what summary.json states, every step that cycled was solved
+by continuation or in parts, and the audits are small. Which iterations cycle differs from strategy to strategy, as the
+linear solves of one are inexact: how many is not compared.
+
+Exit codes: 0 all so, 1 not.
+"""
+
+import argparse
+import csv
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from under_test import ROOT, patience
+
+SCENE = """
+mesh.cells = [2, 2]
+time = {end = 1, steps = 2}
+load.body_force = [1, -3]
+initial.velocity = [-2, 0]
+solver.max_iterations = 100000
+material = {density = 1, elasticity = {young = 10, poisson = 0.45}}
+[boundary.bottom.contact]
+compliance = {stiffness = 1e5}
+friction = {coefficient = 10, regularisation = 1e-6}
+"""
+AUDIT = 1e-8
+FEW = 2000  # iterations, of which an iteration that cycles for ever would take 100000
+
+
+def faults_of(command: list[str], folder: Path) -> list[str]:
+    done = subprocess.run(command, capture_output=True, text=True, timeout=patience(300.0), check=False)
+    if done.returncode != 0:
+        return [f"exit {done.returncode}: {done.stderr.strip()}"]
+    summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    recovery, newton = summary["recovery"], summary["newton"]
+    with (folder / "history.csv").open(encoding="ascii", newline="") as lines:
+        rows = [{name: float(text) for name, text in row.items()} for row in csv.DictReader(lines)]
+    faults = []
+    if not recovery["cycles"] > 0:
+        faults.append("nothing cycled: the case tests nothing")
+    for total, name in ((recovery["cycles"], "cycles"), (newton["retries"], "retries")):
+        if sum(row[name] for row in rows) != total:
+            faults.append(f"{name}: the steps' do not add up to {total}")
+    for row in rows:
+        if row["cycles"] > 0 and not (row["retries"] > 0 or row["substeps"] > 1):
+            faults.append(f"step {row['step']:.0f} cycled, and how it was solved is not told")
+    if newton["iterations"] > FEW:
+        faults.append(f"{newton['iterations']} iterations")
+    faults += [f"audit of {name}: {value}" for name, value in summary["audit"].items() if not value <= AUDIT]
+    print(f"    {recovery['cycles']} cycles, {newton['retries']} retries, {newton['iterations']} iterations")
+    return faults
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--driver", type=Path, default=ROOT / "build" / "thermocontact")
+    parser.add_argument("--processes", type=int, action="append", metavar="P")
+    options = parser.parse_args()
+    runs: list[tuple[str, list[str]]] = [("condensed", []), ("newton-krylov", [])]
+    runs += [("newton-krylov", ["mpirun", "-n", str(count)]) for count in options.processes or [2]]
+    failed = False
+    with tempfile.TemporaryDirectory(prefix="cycling-") as name:
+        scene = Path(name, "scene.toml")
+        scene.write_text(SCENE, encoding="ascii")
+        for number, (strategy, launcher) in enumerate(runs):
+            folder = Path(name, str(number))
+            print(" ".join([strategy, *launcher]), flush=True)
+            words = [str(options.driver.resolve()), "run", str(scene), "--quiet", "--output", str(folder)]
+            for fault in faults_of([*launcher, *words, "--set", f'solver.strategy="{strategy}"'], folder):
+                failed = True
+                print(f"    {fault}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -83,4 +83,12 @@ MUTATIONS = (
         "sign",
         "contact stiffens the tangent",
     ),
+    Mutation(
+        "krylov-goes-round",
+        "src/petsc/krylov.cpp",
+        "if (cycle.returns(",
+        "if (iteration < 0 && cycle.returns(",
+        "missing",
+        "contact states that recur end an iteration (test cycling)",
+    ),
 )

@@ -6,6 +6,7 @@
 
 #include "error.h"
 #include "plan/duration.h"
+#include "scene/schema.h"
 #include "scene/text.h"
 
 namespace thermocontact::app {
@@ -23,6 +24,7 @@ struct Words {
     std::string accuracy, budget, of = "norms";
     std::vector<std::string> overrides;
     std::string format = "toml";
+    std::string law;
     bool quiet = false;
     bool version = false;
 };
@@ -33,6 +35,7 @@ struct Parser {
     CLI::App* plan = nullptr;
     CLI::App* check = nullptr;
     CLI::App* schema = nullptr;
+    CLI::App* forms = nullptr;
     Words words;
 
     Parser();
@@ -63,8 +66,12 @@ Parser::Parser() {
     add_scene(*check);
 
     schema = app.add_subcommand("schema", "Print every scene key: type, unit, default, range, meaning");
-    schema->allow_extras();
+    add_scene(*schema);
     schema->add_option("--format", words.format, "toml (default), json or markdown")->type_name("FORMAT");
+
+    forms = app.add_subcommand("forms", "List the laws that a scene may replace, or print the file of one");
+    forms->allow_extras();
+    forms->add_option("LAW", words.law, "Law whose file is printed, to start one's own from")->type_name("LAW");
 }
 
 void Parser::add_scene(CLI::App& command) {
@@ -211,6 +218,16 @@ RunCommand run_command(const CLI::App& command, const Words& words) {
     return run;
 }
 
+FormsCommand forms_command(const CLI::App& command, const Words& words) {
+    const std::vector<std::string> laws = scene::law_kinds();
+    if (command.get_option("LAW")->count() > 0 &&
+        std::find(laws.begin(), laws.end(), words.law) == laws.end()) {
+        throw SceneError("forms: expected " + one_of(laws) + ", found \"" + one_line(words.law) + '"' +
+                         did_you_mean(words.law, laws));
+    }
+    return {words.law};
+}
+
 Command command_of(const Parser& parser) {
     const Words& words = parser.words;
     const auto commands = parser.app.get_subcommands();
@@ -221,7 +238,8 @@ Command command_of(const Parser& parser) {
         return VersionCommand{};
     }
     if (commands.empty()) {
-        throw SceneError("no command given; expected \"run\", \"plan\", \"check\" or \"schema\", or --help");
+        throw SceneError("no command given; expected \"run\", \"plan\", \"check\", \"schema\" or \"forms\", or "
+                         "--help");
     }
     const CLI::App& command = *commands.front();
     if (const auto extras = parser.app.remaining(true); !extras.empty()) {
@@ -236,12 +254,18 @@ Command command_of(const Parser& parser) {
     if (&command == parser.check) {
         return CheckCommand{scene_of(command, words), words.overrides};
     }
+    if (&command == parser.forms) {
+        return forms_command(command, words);
+    }
     const std::vector<std::string> formats = {"toml", "json", "markdown"};
     if (std::find(formats.begin(), formats.end(), words.format) == formats.end()) {
         throw SceneError("schema: --format: expected " + one_of(formats) + ", found \"" +
                          one_line(words.format) + '"' + did_you_mean(words.format, formats));
     }
-    return SchemaCommand{words.format};
+    if (words.scene.empty()) {
+        return SchemaCommand{words.format};
+    }
+    return SchemaCommand{words.format, words.scene, words.overrides};
 }
 
 }  // namespace

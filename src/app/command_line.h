@@ -33,7 +33,13 @@ struct CheckCommand {
 };
 
 struct SchemaCommand {
-    std::string format;  ///< "toml" | "json" | "markdown"
+    std::string format;                               ///< "toml" | "json" | "markdown"
+    std::optional<std::filesystem::path> scene = {};  ///< whose law files' keys are among them
+    std::vector<std::string> overrides = {};
+};
+
+struct FormsCommand {
+    std::string law;  ///< whose file is printed; empty: a list of all
 };
 
 struct VersionCommand {};
@@ -43,7 +49,7 @@ struct HelpCommand {
 };
 
 using Command =
-    std::variant<RunCommand, PlanCommand, CheckCommand, SchemaCommand, VersionCommand, HelpCommand>;
+    std::variant<RunCommand, PlanCommand, CheckCommand, SchemaCommand, FormsCommand, VersionCommand, HelpCommand>;
 
 /// Throws SceneError with one line that says what is wrong and names the nearest command or option.
 Command parse_command_line(int argc, const char* const* argv);

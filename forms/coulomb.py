@@ -1,8 +1,8 @@
-"""Coulomb friction (2.9) itself: -sigma_t in mu p_n d|w_t|, the limit of friction.py where eps falls to 0.
+"""Coulomb friction (2.9) itself: -sigma_t in p_t d|w_t|, p_t = mu p_n, the limit of friction.py where eps falls to 0.
 
 Method of multipliers: with a multiplier lam at the points of the rule and gamma > 0,
 
-    -sigma_t = proj_B(lam + gamma w_t),   B = {t: |t| <= p_t},   p_t = mu p_n,
+    -sigma_t = proj_B(lam + gamma w_t),   B = {t: |t| <= p_t},
 
 is Lipschitz in w, and where lam = -sigma_t it is the law, whatever gamma: |lam| < p_t asks for w_t = 0, and w_t != 0 for
 lam = p_t w_t/|w_t|. The caller repeats lam := -sigma_t. lam is kept on one facet at a time as a function of degree 2, of
@@ -12,13 +12,15 @@ The unknown is the velocity w of the step; the displacement is u = u_old + k w.
 """
 
 import space
-from space import Q, V, at_nodes, dim, mesh, n, over_contact, positive_part, tangential
+from in_force import law
+from space import Q, V, at_nodes, dim, mesh, n, over_contact, tangential
 from ufl import (
     Coefficient,
     Constant,
     FunctionSpace,
     TestFunction,
     TrialFunction,
+    as_ufl,
     conditional,
     derivative,
     dot,
@@ -31,7 +33,7 @@ ON_FACET = [space._element("Lagrange", mesh.ufl_cell().cellname(), 2, shape) for
 # A point slips where gamma |w_t| exceeds this share of p_t: what remains of w_t where it sticks is less by far.
 SLIPS = 1e-6
 
-c_n, m, mu, gamma, k = (Constant(mesh) for _ in range(5))
+gamma, k = Constant(mesh), Constant(mesh)
 w, u_old, g = Coefficient(V), Coefficient(V), Coefficient(Q)
 lam = Coefficient(FunctionSpace(mesh, ON_FACET[1]))
 v, dw, q = TestFunction(V), TrialFunction(V), TestFunction(Q)
@@ -47,7 +49,8 @@ def projected(t):
 
 w_t = tangential(w)
 r = dot(u_old + k * w, n) - g
-p_t = mu * c_n * positive_part(r) ** m
+p_n = law("compliance", r=r)
+p_t = law("friction", p_n=p_n, speed=as_ufl(0.0))
 minus_sigma_t = projected(lam + gamma * w_t)
 speed = sqrt(dot(w_t, w_t))
 does_slip = gt(gamma * speed, SLIPS * p_t)

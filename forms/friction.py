@@ -1,18 +1,21 @@
-"""Coulomb friction (2.9) with the norm regularised: -sigma_t = mu p_n w_t / |w_t|_eps, |v|_eps = sqrt(v.v + eps^2).
+"""Coulomb friction (2.9) with the norm regularised: -sigma_t = p_t w_t / |w_t|_eps, |v|_eps = sqrt(v.v + eps^2).
 
-The unknown is the velocity w of the step; the displacement is u = u_old + k w.
+The bound p_t is the law of laws/friction.py or of a scene's file, of p_n and the speed |w_t|_eps. The unknown is the
+velocity w of the step; the displacement is u = u_old + k w.
 """
 
-from space import V, Q, mesh, n, over_contact, at_nodes, positive_part, tangential
+from in_force import law
+from space import V, Q, mesh, n, over_contact, at_nodes, tangential
 from ufl import Coefficient, Constant, TestFunction, TrialFunction, derivative, dot, sqrt
 
-c_n, m, mu, eps, k = (Constant(mesh) for _ in range(5))
+eps, k = Constant(mesh), Constant(mesh)
 w, u_old, g = Coefficient(V), Coefficient(V), Coefficient(Q)
 v, dw = TestFunction(V), TrialFunction(V)
 
 w_t = tangential(w)
-p_t = mu * c_n * positive_part(dot(u_old + k * w, n) - g) ** m
-sigma_t = -p_t * w_t / sqrt(dot(w_t, w_t) + eps**2)
+speed = sqrt(dot(w_t, w_t) + eps**2)
+p_n = law("compliance", r=dot(u_old + k * w, n) - g)
+sigma_t = -law("friction", p_n=p_n, speed=speed) * w_t / speed
 
 residual = over_contact(-dot(sigma_t, tangential(v)))
 jacobian = derivative(residual, w, dw)

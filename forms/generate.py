@@ -3,20 +3,31 @@
     generate.py form FILE CELL DEGREE OUTPUT_DIR [FOLDER]    FOLDER/FILE.py -> FILE_CELL_DEGREE.c and .h;
                                                              PACKAGE.FILE for a file in a package of FOLDER
     generate.py table NAME OUTPUT_DIR STEM...                all generated headers -> kernel_table.c, symbols NAME_...
+    generate.py describe LAW LAW=FILE                        what a law file says of itself, as JSON
+    generate.py laws CELL DEGREE OUTPUT_DIR LAW=FILE...      every form that law files enter -> the shared library
+                                                             laws.so with a table of symbols laws_...
+    generate.py built-in OUTPUT_DIR                          the built-in law files -> law_table.c
     generate.py flags                                        the include folder of ufcx.h
+
+Exit 2: a law file is wrong; standard error says FILE:LINE: why.
 """
 
+import concurrent.futures
 import hashlib
+import json
+import os
 import pathlib
 import re
 import subprocess
 import sys
+from typing import NoReturn
 
 FORMS = pathlib.Path(__file__).resolve().parent
 
-STUB = """import space
+STUB = """import in_force, space
 
 space.select("{cell}", {degree})
+in_force.replace({laws})
 from {file} import *
 from ufl import Form
 
@@ -24,6 +35,7 @@ for name, form in list(globals().items()):
     if isinstance(form, Form):
         globals()[name] = space.completed(form)
 forms = [form for form in list(globals().values()) if isinstance(form, Form)]
+globals().update(in_force.constants())
 """
 
 TABLE = """/* Generated: every compiled form by name, and what the forms were compiled with. */
@@ -38,38 +50,144 @@ const char* const {name}_kernel_versions = "{versions}";
 const char* const {name}_forms_digest = "{digest}";
 """
 
+LAW_TABLE = """/* Generated: the built-in law files, and what they say of themselves. */
+#include "laws/law_table.h"
 
-def generate_form(file: str, cell: str, degree: str, output: str, folder: str = str(FORMS)) -> None:
-    """Write the stub that selects cell and degree, and run FFCx on it in the output folder."""
+const struct thermocontact_law thermocontact_laws[] = {{
+{rows}
+}};
+const int thermocontact_law_count = {count};
+const char* const thermocontact_law_tools = "{versions}; forms {digest}";
+"""
+
+
+def generate_form(
+    file: str, cell: str, degree: str, output: str, folder: str = str(FORMS), laws: dict[str, str] = {}
+) -> None:
+    """Write the stub that selects cell, degree and laws, and run FFCx on it in the output folder."""
     stub = pathlib.Path(output) / f"{file.split('.')[-1]}_{cell}_{degree}.py"
-    stub.write_text(STUB.format(file=file, cell=cell, degree=degree))
+    stub.write_text(STUB.format(file=file, cell=cell, degree=degree, laws=laws))
     command = f"import sys; sys.path[:0] = {[folder, str(FORMS)]!r}; from ffcx.main import main; main()"
-    subprocess.run([sys.executable, "-c", command, stub.name], cwd=output, check=True)
+    run = subprocess.run([sys.executable, "-c", command, stub.name], cwd=output, stderr=subprocess.PIPE, text=True)
+    sys.stderr.write("" if laws and run.returncode else run.stderr)
+    if run.returncode and laws:
+        refuse(", ".join(laws.values()), f"{file} cannot be compiled for {cell}s: {run.stderr.strip().splitlines()[-1]}")
+    run.check_returncode()
 
 
-def generate_table(name: str, output: str, stems: list[str]) -> None:
-    """List the forms that the headers declare; left alone when nothing changed, so that nothing is rebuilt."""
+def write_if_new(target: pathlib.Path, text: str) -> None:
+    """Leave it alone when nothing changed, so that nothing is rebuilt."""
+    if not target.exists() or target.read_text() != text:
+        target.write_text(text)
+
+
+def forms_digest() -> str:
+    """Of all files that kernels are made of."""
+    files = sorted(FORMS.glob("*.py")) + sorted((FORMS / "laws").glob("*.py"))
+    return hashlib.sha256(b"".join(path.read_bytes() for path in files)).hexdigest()[:16]
+
+
+def versions() -> str:
+    """Of what makes kernels."""
     import ffcx
     import ufl
 
+    return f"FFCx {ffcx.__version__}, UFL {ufl.__version__}"
+
+
+def generate_table(name: str, output: str, stems: list[str]) -> None:
+    """List the forms that the headers declare."""
     rows = []
     for stem in stems:
         file, cell, degree = stem.rsplit("_", 2)
         header = (pathlib.Path(output) / f"{stem}.h").read_text()
         for form in re.findall(rf"extern ufcx_form\* form_{stem}_(\w+);", header):
             rows.append(f'    {{"{file}.{form}", "{cell}", {degree}, &form_{stem}_{form}}},')
-    digest = hashlib.sha256(b"".join(path.read_bytes() for path in sorted(FORMS.glob("*.py"))))
     text = TABLE.format(
         name=name,
         includes="".join(f'#include "{stem}.h"\n' for stem in stems),
         rows="\n".join(rows),
         count=len(rows),
-        versions=f"FFCx {ffcx.__version__}, UFL {ufl.__version__}",
-        digest=digest.hexdigest()[:16],
+        versions=versions(),
+        digest=forms_digest(),
     )
-    target = pathlib.Path(output) / "kernel_table.c"
-    if not target.exists() or target.read_text() != text:
-        target.write_text(text)
+    write_if_new(pathlib.Path(output) / "kernel_table.c", text)
+
+
+def affected(laws: dict[str, str]) -> list[str]:
+    """The form files that one of these laws enters."""
+    files = []
+    for path in sorted(FORMS.glob("*.py")):
+        kinds = re.findall(r'\blaw\("(\w+)"', path.read_text())
+        if any(kind in laws for kind in kinds) and path.stem not in ("in_force", "law", "generate"):
+            files.append(path.stem)
+    return files
+
+
+def generate_laws(cell: str, degree: str, output: str, laws: dict[str, str]) -> None:
+    """Every form that the laws enter, their table, and a library of both."""
+    files = affected(laws)
+    if "friction" in laws and "speed" in describe({"friction": laws["friction"]})["friction"]["takes"]:
+        files.remove("coulomb")  # which is of bounds that do not depend on the speed
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(lambda file: generate_form(file, cell, degree, output, laws=laws), files))
+        stems = [f"{file}_{cell}_{degree}" for file in files]
+        generate_table("laws", output, stems)
+        objects = list(pool.map(lambda stem: compile_object(stem, output), ["kernel_table", *stems]))
+    run_compiler("-shared", "-Wl,-Bsymbolic", "-o", f"{output}/laws.so", *objects)
+
+
+def compile_object(stem: str, output: str) -> str:
+    """With the flags that the linked kernels have."""
+    import ffcx.codegeneration
+
+    target = f"{output}/{stem}.o"
+    folders = (ffcx.codegeneration.get_include_path(), FORMS.parent / "src", output)
+    run_compiler("-O3", "-DNDEBUG", "-w", "-fPIC", *(f"-I{folder}" for folder in folders), "-c", f"{output}/{stem}.c", "-o", target)
+    return target
+
+
+def run_compiler(*arguments: str) -> None:
+    compiler = os.environ.get("CC") or "cc"
+    try:
+        run = subprocess.run([*compiler.split(), *arguments], stderr=subprocess.PIPE, text=True)
+    except OSError as error:
+        sys.exit(f"the C compiler {compiler}: {error.strerror}")
+    if run.returncode:
+        sys.exit(f"the C compiler {compiler}: {' '.join(run.stderr.split())[-300:]}")
+
+
+def refuse(place: str, why: str) -> NoReturn:
+    """End the program: a law file is wrong."""
+    print(f"{place}: {why}", file=sys.stderr)
+    sys.exit(2)
+
+
+def describe(laws: dict[str, str]) -> dict[str, dict[str, object]]:
+    """What the law files say of themselves, by law; ends the program where one is wrong."""
+    import in_force
+    from describe import description
+
+    found = {}
+    for kind, path in laws.items():
+        try:
+            found[kind] = description(kind, path)
+        except in_force.LawError as error:
+            refuse(f"{path}:{error.line}" if error.line else path, str(error))
+    return found
+
+
+def generate_built_in(output: str) -> None:
+    """The text and the description of each built-in law file, as C strings."""
+    rows = []
+    for path in sorted((FORMS / "laws").glob("*.py")):
+        facts = describe({path.stem: str(path)})[path.stem]
+        strings = (path.stem, path.read_text(), json.dumps(facts))
+        rows.append("    {" + ",\n     ".join(json.dumps(text, ensure_ascii=True) for text in strings) + "},")
+    text = LAW_TABLE.format(
+        rows="\n".join(rows), count=len(rows), versions=versions(), digest=forms_digest()
+    )
+    write_if_new(pathlib.Path(output) / "law_table.c", text)
 
 
 def main() -> None:
@@ -79,6 +197,15 @@ def main() -> None:
         generate_form(*arguments)
     elif command == "table":
         generate_table(arguments[0], arguments[1], arguments[2:])
+    elif command == "describe":
+        kind, law = arguments
+        print(json.dumps(describe(dict([law.split("=", 1)]))[kind]))
+    elif command == "laws":
+        cell, degree, output = arguments[:3]
+        laws = dict(pair.split("=", 1) for pair in arguments[3:])
+        generate_laws(cell, degree, output, {kind: os.path.abspath(path) for kind, path in laws.items()})
+    elif command == "built-in":
+        generate_built_in(*arguments)
     elif command == "flags":
         import ffcx.codegeneration
 

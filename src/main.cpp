@@ -8,6 +8,7 @@
 #include "app/blas_threads.h"
 #include "app/check.h"
 #include "app/exit_code.h"
+#include "app/forms.h"
 #include "app/heap.h"
 #include "app/plan.h"
 #include "app/planned_run.h"
@@ -17,7 +18,7 @@
 #include "output/summary.h"
 #include "parallel/backend.h"
 #include "parallel/together.h"
-#include "scene/schema.h"
+#include "scene/scene_schema.h"
 
 namespace {
 
@@ -40,8 +41,14 @@ int execute(const app::ViewCommand& command, const parallel::Backend*) {
 }
 
 int execute(const app::SchemaCommand& command, const parallel::Backend*) {
-    std::cout << scene::print_schema(command.format);
+    std::cout << (command.scene ? scene::print_schema(
+                                      command.format, *scene::schema_of_scene(*command.scene, command.overrides))
+                                : scene::print_schema(command.format));
     return app::exit_completed;
+}
+
+int execute(const app::FormsCommand& command, const parallel::Backend*) {
+    return app::forms(command);
 }
 
 int execute(const app::VersionCommand&, const parallel::Backend*) {

@@ -25,7 +25,7 @@ from mutate_parts.workspace import ROOT, CannotCheck, Workspace, call, last_line
 
 FOLDERS = ("forms", "src", "verification/manufactured_parts")
 SWITCHES = ("-DTHERMOCONTACT_TESTS=OFF", "-DKERNEL_CELLS=triangle", "-DTHERMOCONTACT_MANUFACTURED=ON")
-HELPERS = {"space", "generate"}  # files in forms/ that hold no form
+HELPERS = {"space", "generate", "law", "in_force", "describe"}  # files in forms/ that hold no form
 SMALL = ["--set", "mesh.cells=[8,8]", "--set", "time.steps=4"]
 USUAL_SCENE = ("paper-isotropic",)  # and what is set in it
 EXACT_FRICTION = (*USUAL_SCENE, "--set", "boundary.bottom.contact.friction.regularisation=0")

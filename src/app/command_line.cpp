@@ -6,6 +6,7 @@
 
 #include "error.h"
 #include "plan/duration.h"
+#include "scene/schema.h"
 #include "scene/text.h"
 
 namespace thermocontact::app {
@@ -25,7 +26,7 @@ struct Words {
     std::string accuracy, budget, of = "norms";
     std::vector<std::string> overrides;
     std::string format = "toml";
-    std::string results, page;
+    std::string results, page, law;
     bool quiet = false;
     bool keeps_closed = false;
     bool version = false;
@@ -38,6 +39,7 @@ struct Parser {
     CLI::App* check = nullptr;
     CLI::App* view = nullptr;
     CLI::App* schema = nullptr;
+    CLI::App* forms = nullptr;
     Words words;
 
     Parser();
@@ -75,8 +77,13 @@ Parser::Parser() {
     view->add_flag("--no-open", words.keeps_closed, "Only write the page");
 
     schema = app.add_subcommand("schema", "Print every scene key: type, unit, default, range, meaning");
-    schema->allow_extras();
+    add_scene(*schema);
     schema->add_option("--format", words.format, "toml (default), json or markdown")->type_name("FORMAT");
+
+    forms = app.add_subcommand("forms", "List the laws that a scene may replace, or print the file of one");
+    forms->allow_extras();
+    forms->add_option("LAW", words.law, "Law whose file is printed, to start one's own from")
+        ->type_name("LAW");
 }
 
 void Parser::add_scene(CLI::App& command) {
@@ -237,6 +244,16 @@ RunCommand run_command(const CLI::App& command, const Words& words) {
     return run;
 }
 
+FormsCommand forms_command(const CLI::App& command, const Words& words) {
+    const std::vector<std::string> laws = scene::law_kinds();
+    if (command.get_option("LAW")->count() > 0 &&
+        std::find(laws.begin(), laws.end(), words.law) == laws.end()) {
+        throw SceneError("forms: expected " + one_of(laws) + ", found \"" + one_line(words.law) + '"' +
+                         did_you_mean(words.law, laws));
+    }
+    return {words.law};
+}
+
 Command command_of(const Parser& parser) {
     const Words& words = parser.words;
     const auto commands = parser.app.get_subcommands();
@@ -265,11 +282,17 @@ Command command_of(const Parser& parser) {
     if (&command == parser.view) {
         return view_command(words);
     }
+    if (&command == parser.forms) {
+        return forms_command(command, words);
+    }
     if (std::find(formats.begin(), formats.end(), words.format) == formats.end()) {
         throw SceneError("schema: --format: expected " + one_of(formats) + ", found \"" +
                          one_line(words.format) + '"' + did_you_mean(words.format, formats));
     }
-    return SchemaCommand{words.format};
+    if (words.scene.empty()) {
+        return SchemaCommand{words.format};
+    }
+    return SchemaCommand{words.format, words.scene, words.overrides};
 }
 
 /// Of what follows an option, by what its help calls it.

@@ -33,7 +33,13 @@ struct CheckCommand {
 };
 
 struct SchemaCommand {
-    std::string format;  ///< "toml" | "json" | "markdown"
+    std::string format;                               ///< "toml" | "json" | "markdown"
+    std::optional<std::filesystem::path> scene = {};  ///< whose law files' keys are among them
+    std::vector<std::string> overrides = {};
+};
+
+struct FormsCommand {
+    std::string law;  ///< whose file is printed; empty: a list of all
 };
 
 struct ViewCommand {
@@ -48,7 +54,7 @@ struct HelpCommand {
     std::string text;
 };
 
-using Command = std::variant<RunCommand, PlanCommand, CheckCommand, ViewCommand, SchemaCommand,
+using Command = std::variant<RunCommand, PlanCommand, CheckCommand, ViewCommand, SchemaCommand, FormsCommand,
                              VersionCommand, HelpCommand>;
 
 /// An option or an argument as its help says.

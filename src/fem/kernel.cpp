@@ -53,9 +53,16 @@ KernelTable linked_kernels() {
 }
 
 Kernel find_kernel(const std::string& name, const std::string& cell, int degree, KernelTable table) {
-    for (const thermocontact_kernel& entry : table) {
-        if (name == entry.name && cell == entry.cell && degree == entry.degree) {
-            return describe(name, **entry.form);
+    return kernel_in_force(name, cell, degree, table, {});
+}
+
+Kernel kernel_in_force(const std::string& name, const std::string& cell, int degree, KernelTable own,
+                       KernelTable others) {
+    for (const KernelTable table : {own, others}) {
+        for (const thermocontact_kernel& entry : table) {
+            if (name == entry.name && cell == entry.cell && degree == entry.degree) {
+                return describe(name, **entry.form);
+            }
         }
     }
     throw std::logic_error("no kernel " + name + " for " + cell + " of degree " + std::to_string(degree));

@@ -39,6 +39,11 @@ KernelTable linked_kernels();
 Kernel find_kernel(const std::string& name, const std::string& cell, int degree,
                    KernelTable table = linked_kernels());
 
+/// The same in `own`, or where it is not there in `others`: those of a scene's law files
+/// stand before the built-in ones.
+Kernel kernel_in_force(const std::string& name, const std::string& cell, int degree, KernelTable own,
+                       KernelTable others = linked_kernels());
+
 /// "FFCx 0.5.0, UFL 2022.2.0; forms 0123456789abcdef": what the linked kernels came from.
 std::string kernel_provenance();
 

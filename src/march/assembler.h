@@ -18,7 +18,7 @@ struct Assembler {
     const fem::NodeGraph& graph;
 
     fem::BlockMatrix operator()(const std::string& form, int rows, int columns) const {
-        auto kernel = fem::find_kernel(form, mesh.cell, space.element.degree);
+        auto kernel = fem::kernel_in_force(form, mesh.cell, space.element.degree, scene.kernels);
         return fem::assemble_matrix(
             fem::Form::by_region(std::move(kernel), mesh, model::body_constants(scene, mesh)), space, graph,
             rows, columns);

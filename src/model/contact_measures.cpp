@@ -48,7 +48,7 @@ ContactProbe::ContactProbe(const ContactSurface& surface, const mesh::Mesh& mesh
 
 void ContactProbe::add(const std::string& name, const mesh::Mesh& mesh, const fem::Constants& constants,
                        const fem::Fields& fields) {
-    auto kernel = fem::find_kernel(name, mesh.cell, space_->element.degree);
+    auto kernel = fem::kernel_in_force(name, mesh.cell, space_->element.degree, surface_->kernels);
     forms_[name] = std::make_unique<fem::Form>(std::move(kernel), mesh, constants, fields, surface_->rule);
 }
 

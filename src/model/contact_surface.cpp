@@ -40,6 +40,7 @@ ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mes
             std::make_unique<ContactSurface>(ContactSurface{name,
                                                             *boundary.contact,
                                                             gauss_rule(boundary.contact->quadrature, mesh),
+                                                            scene.kernels,
                                                             facets_of(mesh, name),
                                                             {},
                                                             {},

@@ -16,6 +16,7 @@ struct ContactSurface {
     scene::Contact laws;
     int rule;  ///< of the contact forms: odd degree of a Gauss rule, or 0 for the rule at the nodes
                ///< (forms/space.py)
+    scene::KernelTable kernels;  ///< of the scene's law files
     std::vector<mesh::Facet> facets;
     std::vector<std::int32_t> nodes;
     std::vector<double> gap;                     ///< g at the nodes of the space, m (zero off the surface)

@@ -19,17 +19,21 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
         taken["lam"] = multiplier->on_facet();
     }
     const auto form = [&](const std::string& name) {
-        return std::make_unique<fem::Form>(fem::find_kernel(file + name, mesh.cell, space_->element.degree),
-                                           mesh, constants, taken, surface.rule);
+        return std::make_unique<fem::Form>(
+            fem::kernel_in_force(file + name, mesh.cell, space_->element.degree, surface.kernels), mesh,
+            constants, taken, surface.rule);
     };
     const char* regularised_by = "";
     double regularisation = 0;
     if (law == "friction" && multiplier == nullptr) {
         regularised_by = "eps";
         regularisation = surface.laws.friction->regularisation;
-    } else if (law == "conductance" && std::isfinite(surface.laws.conductance->limit)) {
-        regularised_by = "L";
-        regularisation = surface.laws.conductance->limit;
+    } else if (law == "conductance") {
+        const auto& of_law = surface.laws.conductance->law.constants;
+        if (const auto limit = of_law.find("L"); limit != of_law.end() && std::isfinite(limit->second)) {
+            regularised_by = "L";
+            regularisation = limit->second;
+        }
     }
     const auto datum = fields.find(law == "compliance" ? "u_old" : law == "conductance" ? "theta_F" : "");
     laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"), multiplier, nullptr, nullptr,

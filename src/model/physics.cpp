@@ -124,18 +124,20 @@ std::optional<double> uniform_capacity(const scene::Scene& scene) {
 fem::Constants contact_constants(const scene::Contact& contact, double step) {
     // without friction nothing sticks: every slip velocity is above this epsilon
     fem::Constants constants{{"k", {step}}, {"eps", {-1.0}}, {"gamma", {1.0}}};
+    const auto take = [&](const scene::Law& law) {
+        for (const auto& [name, value] : law.constants) {
+            constants[name] = {value};
+        }
+    };
     if (contact.compliance) {
-        constants["c_n"] = {contact.compliance->stiffness};
-        constants["m"] = {contact.compliance->exponent};
+        take(*contact.compliance);
     }
     if (contact.friction) {
-        constants["mu"] = {contact.friction->coefficient};
+        take(contact.friction->law);
         constants["eps"] = {contact.friction->regularisation};
     }
     if (contact.conductance) {
-        constants["k_c"] = {contact.conductance->coefficient};
-        constants["eps_c"] = {contact.conductance->onset};
-        constants["L"] = {contact.conductance->limit};
+        take(contact.conductance->law);
     }
     return constants;
 }

@@ -22,7 +22,7 @@ StressProbe::StressProbe(const scene::Scene& scene, const mesh::Mesh& mesh, cons
                              {"theta", {scene.heat ? &temperature : &no_temperature_, 1, &space.dofmap}},
                              {"s", {&stress_, 6, &space.cellwise}}};
     const auto form = [&](const char* name) {
-        auto kernel = fem::find_kernel(name, mesh.cell, scene.degree);
+        auto kernel = fem::kernel_in_force(name, mesh.cell, scene.degree, scene.kernels);
         return std::make_unique<fem::Form>(
             fem::Form::by_region(std::move(kernel), mesh, body_constants(scene, mesh), fields));
     };

@@ -86,6 +86,14 @@ Checkpoint take(const std::string& sealed, const scene::Scene& scene) {
     if (digest != mesh_digest(scene)) {
         found.emplace_back("the mesh file has other vertices, cells or names");
     }
+    std::string laws;
+    file.read("/laws", laws);
+    for (const auto& [kind, law] : nlohmann::json::parse(laws).items()) {
+        const auto own = scene.laws.find(kind);
+        if (own != scene.laws.end() && own->second != law) {
+            found.push_back("the file of forms." + kind + " says something else than it did");
+        }
+    }
     if (!found.empty()) {
         std::string text = "it is of another scene: ";
         for (std::size_t i = 0; i < std::min(found.size(), most_named); ++i) {
@@ -145,6 +153,7 @@ std::string to_bytes(const Checkpoint& checkpoint, const scene::Scene& scene) {
     file.write("/version", version_text());
     file.write("/scene", scene.resolved.dump(2));
     file.write("/mesh_digest", mesh_digest(scene));
+    file.write("/laws", nlohmann::json(scene.laws).dump());
     file.write("/run", checkpoint.run);
     const auto group = [&](const std::string& at) {
         return [&file, at](const std::string& name, const auto& member) {

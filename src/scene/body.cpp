@@ -19,7 +19,7 @@ const std::map<std::string, Body>& shapes() {
 
 /// The mesh of mesh.file, which is sought from the scene's folder.
 Body body_of_file(const Document& document, const Entry& entry) {
-    const auto name = check_value(*find_key(entry.key), entry, 2).get<std::string>();
+    const auto name = check_value(*schema().find(entry.key), entry, 2).get<std::string>();
     const auto path = std::filesystem::path(document.file).parent_path() / name;
     try {
         auto mesh = std::make_shared<const mesh::Mesh>(mesh::read_gmsh(path));
@@ -37,7 +37,7 @@ Body body_of(const Document& document) {
     }
     const Entry* shape = document.find("mesh.shape");
     return shapes().at(shape == nullptr ? "rectangle"
-                                        : check_value(*find_key("mesh.shape"), *shape, 2).get<std::string>());
+                                        : check_value(*schema().find("mesh.shape"), *shape, 2).get<std::string>());
 }
 
 }  // namespace thermocontact::scene

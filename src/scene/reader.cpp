@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 
+#include "error.h"
+#include "mesh/mesh.h"
 #include "scene/document.h"
 #include "scene/schema.h"
 #include "scene/settings.h"
@@ -177,6 +180,21 @@ std::map<std::string, Region> read_regions(const Settings& s, const Scene& scene
     return regions;
 }
 
+/// The constants of the law in force, from its table below `at`.
+Law read_law(const Settings& s, const std::string& kind, const std::string& at) {
+    const OwnLaw* own = s.law(kind);
+    const laws::Description description = own != nullptr ? own->description : laws::built_in_law(kind).description;
+    Law law;
+    law.file = own != nullptr ? own->file.path.string() : "";
+    for (const laws::Parameter& parameter : description.parameters) {
+        std::string key = at;
+        key.append(".").append(kind).append(".").append(parameter.key);
+        const std::string name = own != nullptr ? kind + "." + parameter.name : parameter.name;
+        law.constants[name] = s.has(key) ? number(s, key) : std::numeric_limits<double>::infinity();
+    }
+    return law;
+}
+
 std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
     if (!s.written(at)) {
         return std::nullopt;
@@ -185,21 +203,37 @@ std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
     contact.gap = to_expression(s, s.value(at + ".gap"));
     contact.quadrature = s.value(at + ".quadrature") == "vertex" ? 0 : integer(s, at + ".quadrature");
     if (s.written(at + ".compliance")) {
-        contact.compliance = {number(s, at + ".compliance.stiffness"),
-                              number(s, at + ".compliance.exponent")};
+        contact.compliance = read_law(s, "compliance", at);
     }
     if (s.written(at + ".friction")) {
-        contact.friction = {number(s, at + ".friction.coefficient"),
-                            number(s, at + ".friction.regularisation")};
+        contact.friction = {read_law(s, "friction", at), number(s, at + ".friction.regularisation")};
     }
-    if (const std::string law = at + ".conductance"; s.written(law)) {
-        contact.conductance = {number(s, law + ".coefficient"), number(s, law + ".onset"),
-                               to_expression(s, s.value(law + ".foundation_temperature"))};
-        if (s.has(law + ".limit")) {
-            contact.conductance->limit = number(s, law + ".limit");
-        }
+    if (s.written(at + ".conductance")) {
+        contact.conductance = {
+            read_law(s, "conductance", at),
+            to_expression(s, s.value(at + ".conductance.foundation_temperature"))};
     }
     return contact;
+}
+
+/// Takes the kernels of the law files into the scene.
+void read_kernels(const Settings& s, Scene& scene) {
+    std::vector<laws::LawFile> files;
+    for (const OwnLaw& law : s.laws) {
+        files.push_back(law.file);
+        scene.laws[law.file.kind] = law.file.digest;
+    }
+    if (files.empty()) {
+        return;
+    }
+    const bool tensor = scene.mesh.cell == "tensor";
+    const std::string plane = tensor ? "quadrilateral" : "triangle", solid = tensor ? "hexahedron" : "tetrahedron";
+    const std::string cell = s.body.mesh ? s.body.mesh->cell : scene.dimension == 2 ? plane : solid;
+    try {
+        scene.kernels = laws::kernels(files, cell, scene.degree);
+    } catch (const SceneError& error) {
+        fail_at(s, "forms", error.what());
+    }
 }
 
 Boundary read_boundary(const Settings& s, const std::string& name) {
@@ -247,7 +281,7 @@ void drop_meaningless(Settings& s) {
 void complete_fields(Settings& s) {
     if (!s.has("output.fields")) {
         Setting& fields = s.by_name["output.fields"];
-        fields.key = find_key("output.fields");
+        fields.key = s.schema->find("output.fields");
         fields.value = existing_fields(s);
         s.in_schema_order.emplace_back("output.fields");
     }
@@ -288,6 +322,7 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
     if (s.has("output.checkpoint_every")) {
         scene.output.checkpoint_every = integer(s, "output.checkpoint_every");
     }
+    read_kernels(s, scene);
     scene.resolved = s.resolved();
     return scene;
 }

@@ -239,7 +239,7 @@ void check_fields(const Settings& settings) {
 std::vector<std::string> existing_fields(const Settings& settings) {
     const bool contact = !settings.boundaries_with("boundary.NAME.contact").empty();
     std::vector<std::string> fields;
-    for (const std::string& field : find_key("output.fields")->choices) {
+    for (const std::string& field : settings.schema->find("output.fields")->choices) {
         const bool exists = field == "contact"       ? contact
                             : field == "temperature" ? settings.written("heat")
                                                      : settings.written("material");
@@ -254,6 +254,7 @@ void check_rules(const Settings& settings) {
     check_mesh(settings);
     check_time(settings);
     check_physics(settings);
+    check_laws(settings);
     check_plane_keys(settings);
     check_isotropic(settings, "");
     for (const std::string& region : settings.regions) {

@@ -4,14 +4,15 @@
 
 #include <array>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "fem/kernel_table.h"
 #include "scene/expression.h"
 
 namespace thermocontact::mesh {
@@ -88,27 +89,27 @@ struct Initial {
     std::optional<Expression> temperature;  ///< K; empty: zero
 };
 
-struct Compliance {
-    double stiffness;  ///< c_n, Pa/m^exponent
-    double exponent;   ///< m in p_n(r) = c_n r_+^m
+/// The constants of a law by the names that its kernels give them: "c_n" of a built-in law, "compliance.c" of
+/// a scene's file.
+struct Law {
+    std::map<std::string, double> constants;
+    std::string file = {};  ///< empty: built-in
 };
 
 struct Friction {
-    double coefficient;     ///< mu
+    Law law;                ///< mu
     double regularisation;  ///< epsilon, m/s
 };
 
 struct Conductance {
-    double coefficient;                                      ///< k_c, W/(m^2 K)
-    double onset;                                            ///< epsilon_c, m
-    Expression foundation_temperature;                       ///< theta_F, K
-    double limit = std::numeric_limits<double>::infinity();  ///< L, K
+    Law law;                            ///< k_c, W/(m^2 K), eps_c, m, L, K
+    Expression foundation_temperature;  ///< theta_F, K
 };
 
 struct Contact {
     Expression gap;      ///< initial gap g, m
     int quadrature = 4;  ///< degree of the Gauss rule on facets; 0: the rule at the facet's nodes ("vertex")
-    std::optional<Compliance> compliance;
+    std::optional<Law> compliance;  ///< c_n, Pa/m^m, m in p_n(r) = c_n r_+^m
     std::optional<Friction> friction;
     std::optional<Conductance> conductance;
 };
@@ -134,6 +135,8 @@ struct OutputSpec {
     std::optional<int> checkpoint_every = {};  ///< steps between checkpoints; empty: as often as is cheap
 };
 
+using KernelTable = std::span<const thermocontact_kernel>;
+
 struct Scene {
     std::string title;
     std::filesystem::path path;
@@ -149,6 +152,8 @@ struct Scene {
     std::map<std::string, Boundary> boundaries;
     SolverSpec solver;
     OutputSpec output;
+    KernelTable kernels = {};             ///< of law files: they come before the linked ones
+    std::map<std::string, std::string> laws = {};  ///< digest of each law file, by kind
     nlohmann::ordered_json resolved;  ///< every key that is in force, defaults included
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "scene/text.h"
@@ -12,20 +11,6 @@ namespace thermocontact::scene {
 namespace {
 
 constexpr std::string_view placeholder = "NAME";
-
-const std::set<std::string>& tables() {
-    static const std::set<std::string> names = [] {
-        std::set<std::string> all;
-        for (const Key& key : schema()) {
-            const auto parts = split(key.name);
-            for (std::size_t n = 1; n < parts.size(); ++n) {
-                all.insert(join(parts, n));
-            }
-        }
-        return all;
-    }();
-    return names;
-}
 
 std::string with_unit(const std::string& text, const Key& key) {
     return key.unit.empty() ? text : text + " (" + key.unit + ")";
@@ -73,20 +58,37 @@ std::string Key::leaf() const {
     return split(name).back();
 }
 
-const Key* find_key(const std::string& pattern) {
-    static const std::map<std::string, const Key*> index = [] {
-        std::map<std::string, const Key*> all;
-        for (const Key& key : schema()) {
-            all.emplace(key.name, &key);
+Schema::Schema(std::vector<Key> keys, const std::vector<std::string>& tables) : keys_(std::move(keys)) {
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+        index_.emplace(keys_[i].name, i);
+        const auto parts = split(keys_[i].name);
+        for (std::size_t n = 1; n < parts.size(); ++n) {
+            tables_.insert(join(parts, n));
         }
-        return all;
-    }();
-    const auto found = index.find(pattern);
-    return found == index.end() ? nullptr : found->second;
+    }
+    tables_.insert(tables.begin(), tables.end());
 }
 
-bool is_table(const std::string& pattern) {
-    return tables().contains(pattern);
+const Key* Schema::find(const std::string& pattern) const {
+    const auto found = index_.find(pattern);
+    return found == index_.end() ? nullptr : &keys_[found->second];
+}
+
+std::vector<std::string> Schema::names() const {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            names.push_back(name);
+        }
+    };
+    for (const Key& key : keys_) {
+        const auto parts = split(key.name);
+        for (std::size_t n = 1; n <= parts.size(); ++n) {
+            add(join(parts, n));
+        }
+    }
+    std::for_each(tables_.begin(), tables_.end(), add);
+    return names;
 }
 
 bool is_always_present(const std::string& table) {

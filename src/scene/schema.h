@@ -3,9 +3,14 @@
 #pragma once
 
 #include <limits>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
+
+#include "laws/description.h"
 
 namespace thermocontact::scene {
 
@@ -62,14 +67,41 @@ struct Key {
     std::string leaf() const;   ///< "cells" of "mesh.cells"
 };
 
-/// All keys, in the order of the reference.
-const std::vector<Key>& schema();
+/// Declarations by name.
+class Schema {
+  public:
+    /// Keys in the order of the reference; `tables` beyond those that the keys stand in.
+    Schema(std::vector<Key> keys, const std::vector<std::string>& tables);
 
-/// The declaration of `pattern` ("boundary.NAME.traction"), or nullptr.
-const Key* find_key(const std::string& pattern);
+    const std::vector<Key>& keys() const { return keys_; }
 
-/// Whether `pattern` is the dotted name of a table.
-bool is_table(const std::string& pattern);
+    /// The declaration of `pattern` ("boundary.NAME.traction"), or nullptr.
+    const Key* find(const std::string& pattern) const;
+
+    /// Whether `pattern` is the dotted name of a table.
+    bool is_table(const std::string& pattern) const { return tables_.contains(pattern); }
+
+    /// Every table and key, outer ones first.
+    std::vector<std::string> names() const;
+
+  private:
+    std::vector<Key> keys_;
+    std::map<std::string, std::size_t> index_;
+    std::set<std::string> tables_;
+};
+
+/// That of scenes with the built-in laws.
+const Schema& schema();
+
+/// That of a scene whose law files say this of themselves: their parameters take the place of the keys of the
+/// built-in laws. Throws SceneError where a parameter has the name of a key that stays.
+std::shared_ptr<const Schema> schema_with(const std::vector<laws::Description>& laws);
+
+/// The table of a law's parameters: "boundary.NAME.contact.friction".
+std::string table_of_law(const std::string& kind);
+
+/// Laws that a scene may name a file for: those of schema().
+std::vector<std::string> law_kinds();
 
 /// Whether the table is in force without being written: its defaults always hold and its required keys must
 /// be there.
@@ -91,6 +123,6 @@ std::string type_name(Type type);
 std::string expectation(const Key& key, int dimension);
 
 /// The reference in `format` "toml", "json" or "markdown".
-std::string print_schema(const std::string& format);
+std::string print_schema(const std::string& format, const Schema& schema = scene::schema());
 
 }  // namespace thermocontact::scene

@@ -32,9 +32,9 @@ ordered_json range_json(const Range& range) {
             {"high_open", range.high_open}};
 }
 
-std::string as_json() {
+std::string as_json(const Schema& schema) {
     ordered_json list = ordered_json::array();
-    for (const Key& key : schema()) {
+    for (const Key& key : schema.keys()) {
         list.push_back({{"key", key.name},
                         {"type", type_name(key.type)},
                         {"unit", text_or_null(key.unit)},
@@ -82,11 +82,11 @@ std::string relations(const Key& key) {
     return text;
 }
 
-std::string as_toml() {
+std::string as_toml(const Schema& schema) {
     std::string text =
         "# Every key of a scene with an example. Not a scene itself: some keys exclude each other.\n";
     std::string table;
-    for (const Key& key : schema()) {
+    for (const Key& key : schema.keys()) {
         if (key.table() != table) {
             table = key.table();
             text += "\n[" + table + "]\n";
@@ -105,10 +105,10 @@ std::string code(const std::string& text) {
     return text.empty() ? "" : "`" + text + "`";
 }
 
-std::string as_markdown() {
+std::string as_markdown(const Schema& schema) {
     std::string text = "# Scene keys\n";
     std::string section = "none";
-    for (const Key& key : schema()) {
+    for (const Key& key : schema.keys()) {
         if (key.table() != section) {
             section = key.table();
             text += "\n" + (section.empty() ? "" : "## `[" + section + "]`\n\n") +
@@ -124,15 +124,15 @@ std::string as_markdown() {
 
 }  // namespace
 
-std::string print_schema(const std::string& format) {
+std::string print_schema(const std::string& format, const Schema& schema) {
     if (format == "toml") {
-        return as_toml();
+        return as_toml(schema);
     }
     if (format == "json") {
-        return as_json();
+        return as_json(schema);
     }
     if (format == "markdown") {
-        return as_markdown();
+        return as_markdown(schema);
     }
     throw SceneError("schema --format: expected \"toml\", \"json\" or \"markdown\", found \"" +
                      one_line(format) + "\"");

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/schema.h"
+#include "scene/law_keys.h"
 
 namespace thermocontact::scene {
 
@@ -171,7 +171,7 @@ std::vector<Key> region_keys() {
     return keys;
 }
 
-std::vector<Key> boundary_keys() {
+std::vector<Key> prescribed_keys() {
     return {
         {.name = "boundary.NAME.displacement", .type = Type::free_expressions, .unit = "m",
          .needs = {"material"}, .example = R"(["free", "-0.01*t"])",
@@ -191,37 +191,32 @@ std::vector<Key> boundary_keys() {
          .description = "Degree up to which the Gauss rule of contact integrals is exact, or vertex for the "
          "rule at the facet's nodes (on triangles of degree 2 the midpoints of the edges: the corners would have "
          "weight 0)."},
+    };
+}
 
-        {.name = "boundary.NAME.contact.compliance.stiffness", .type = Type::number, .unit = "Pa/m^exponent",
-         .range = positive, .required = true, .needs = {"material"}, .example = "1e4",
-         .description = "c_n in the normal pressure p_n(r) = c_n max(r, 0)^exponent of a penetration r."},
-        {.name = "boundary.NAME.contact.compliance.exponent", .type = Type::number, .range = {.low = 1},
-         .fallback = "1.0", .needs = {"material"}, .example = "1.5",
-         .description = "Exponent of the normal compliance law."},
-
-        {.name = "boundary.NAME.contact.friction.coefficient", .type = Type::number, .range = not_negative,
-         .required = true, .needs = {"boundary.NAME.contact.compliance"}, .example = "0.2",
-         .description = "Coulomb's friction coefficient mu: the friction bound is mu p_n."},
+/// What the weak forms of contact take beside their laws' parameters.
+std::vector<Key> contact_keys() {
+    return {
         {.name = "boundary.NAME.contact.friction.regularisation", .type = Type::number, .unit = "m/s",
          .range = not_negative, .required = true, .needs = {"boundary.NAME.contact.compliance"},
          .example = "1e-4",
          .description = "Slip velocity epsilon below which friction is smoothed; 0: Coulomb's law itself, with "
          "contact.quadrature 1, 2, 4 or vertex."},
-
-        {.name = "boundary.NAME.contact.conductance.coefficient", .type = Type::number, .unit = "W/(m^2 K)",
-         .range = not_negative, .required = true, .needs = {"heat"}, .example = "1.0",
-         .description = "Heat transfer coefficient k_c of closed contact."},
-        {.name = "boundary.NAME.contact.conductance.onset", .type = Type::number, .unit = "m",
-         .range = positive, .required = true, .needs = {"heat"}, .example = "1e-5",
-         .description = "Penetration over which the heat transfer coefficient rises from 0 to its full "
-         "value."},
         {.name = "boundary.NAME.contact.conductance.foundation_temperature", .type = Type::expression,
          .unit = "K", .required = true, .needs = {"heat"}, .example = R"toml("10*min(t, 1)")toml",
          .description = "Temperature of the foundation."},
-        {.name = "boundary.NAME.contact.conductance.limit", .type = Type::number, .unit = "K",
-         .range = {.low = 0, .low_open = true, .infinite = true}, .needs = {"heat"}, .example = "100.0",
-         .description = "Largest temperature difference that drives the heat flow; absent: unlimited."},
     };
+}
+
+std::vector<Key> forms_keys() {
+    std::vector<Key> keys;
+    for (const std::string& kind : law_kinds()) {
+        keys.push_back({.name = "forms." + kind, .type = Type::text, .example = "\"my_" + kind + ".py\"",
+                        .description = "Law file of UFL in place of the built-in law, sought from the scene's folder: "
+                        "its parameters are the keys of [" + table_of_law(kind) + "]. The command forms prints the "
+                        "built-in one."});
+    }
+    return keys;
 }
 
 std::vector<Key> run_keys() {
@@ -253,16 +248,13 @@ std::vector<Key> run_keys() {
 
 }  // namespace
 
-const std::vector<Key>& schema() {
-    static const std::vector<Key> keys = [] {
-        std::vector<Key> all;
-        for (const auto& group :
-             {general_keys(), material_keys(), region_keys(), boundary_keys(), run_keys()}) {
-            all.insert(all.end(), group.begin(), group.end());
-        }
-        return all;
-    }();
-    return keys;
+std::vector<Key> keys_beside_laws() {
+    std::vector<Key> all;
+    for (const auto& group : {general_keys(), material_keys(), region_keys(), forms_keys(), prescribed_keys(),
+                              contact_keys(), run_keys()}) {
+        all.insert(all.end(), group.begin(), group.end());
+    }
+    return all;
 }
 
 }  // namespace thermocontact::scene

@@ -89,7 +89,7 @@ std::string assignment(const Key& key) {
     const Entry* written = settings.document->find(table);
     std::string advice = "missing; add " + assignment(key);
     if (!key.instead.empty()) {
-        advice += ", or " + assignment(*find_key(key.instead));
+        advice += ", or " + assignment(*settings.schema->find(key.instead));
     }
     fail(written != nullptr ? written->where : Location{.source = settings.document->file},
          name + ": " + advice + " to [" + table + "]");
@@ -119,6 +119,12 @@ void complete(Settings& settings, const std::string& name, const Key& key) {
 const Setting* Settings::find(const std::string& name) const {
     const auto found = by_name.find(name);
     return found == by_name.end() ? nullptr : &found->second;
+}
+
+const OwnLaw* Settings::law(const std::string& kind) const {
+    const auto found =
+        std::ranges::find_if(laws, [&](const OwnLaw& law) { return law.description.kind == kind; });
+    return found == laws.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> Settings::boundaries_with(const std::string& pattern) const {
@@ -156,23 +162,25 @@ void fail_at(const Settings& settings, const std::string& name, const std::strin
 Settings check_document(const Document& document) {
     Settings settings;
     settings.document = &document;
+    settings.laws = laws_of(document);
+    settings.schema = schema_of(settings.laws, document);
     settings.body = body_of(document);
     settings.boundaries = written_names(document, "boundary");
     settings.regions = written_names(document, "region");
     for (const Entry& entry : document.entries) {
-        check_known(entry, settings.body);
-        if (const Key* key = find_key(pattern_of(entry.key))) {
+        check_known(entry, *settings.schema, settings.body);
+        if (const Key* key = settings.schema->find(pattern_of(entry.key))) {
             settings.by_name[entry.key] = {key, entry.where,
                                            check_value(*key, entry, settings.body.dimension)};
         }
     }
     for (const Entry& entry : document.entries) {
-        if (const Key* key = find_key(pattern_of(entry.key))) {
+        if (const Key* key = settings.schema->find(pattern_of(entry.key))) {
             check_needs(settings, entry, *key);
             check_exclusions(settings, entry, *key);
         }
     }
-    for (const Key& key : schema()) {
+    for (const Key& key : settings.schema->keys()) {
         for (const std::string& name : instances(key, settings)) {
             if (!settings.has(name)) {
                 complete(settings, name, key);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "laws/law_file.h"
 #include "scene/document.h"
 #include "scene/scene.h"
 #include "scene/schema.h"
@@ -20,6 +21,8 @@ struct Setting {
     nlohmann::json value;  ///< normalised: numbers are double where the type is no integer
 };
 
+struct Settings;
+
 /// What the table [mesh] says of the body before anything else can be checked.
 struct Body {
     int dimension = 2;
@@ -29,12 +32,30 @@ struct Body {
     std::shared_ptr<const mesh::Mesh> mesh = {};  ///< of mesh.file
 };
 
+/// A law file that the scene names, and what it says of itself.
+struct OwnLaw {
+    laws::LawFile file;
+    laws::Description description;
+};
+
+/// Reads the files of [forms] but those that are copies of the built-in law; throws SceneError where one
+/// cannot be a law, SystemError where that cannot be found out.
+std::vector<OwnLaw> laws_of(const Document& document);
+
+/// With the parameters of these laws; throws SceneError where two keys have one name.
+std::shared_ptr<const Schema> schema_of(const std::vector<OwnLaw>& laws, const Document& document);
+
+/// Checks that something is made of each law, and that what it depends on is there.
+void check_laws(const Settings& settings);
+
 /// Reads mesh.shape or mesh.file; throws SceneError where the file cannot be used.
 Body body_of(const Document& document);
 
 struct Settings {
     const Document* document = nullptr;
     Body body;
+    std::vector<OwnLaw> laws;                 ///< of files
+    std::shared_ptr<const Schema> schema;  ///< with the parameters of these
     std::vector<std::string> boundaries;       ///< written in the scene, alphabetical
     std::vector<std::string> regions;          ///< likewise
     std::map<std::string, Setting> by_name;    ///< keys in force
@@ -46,6 +67,9 @@ struct Settings {
 
     /// Whether a key or table is written in the scene.
     bool written(const std::string& name) const { return document->find(name) != nullptr; }
+
+    /// The law file of that kind, or nullptr: the built-in law.
+    const OwnLaw* law(const std::string& kind) const;
 
     /// Names of the boundaries for which `pattern` (with NAME) exists as key or table.
     std::vector<std::string> boundaries_with(const std::string& pattern) const;
@@ -72,7 +96,7 @@ std::vector<std::string> existing_fields(const Settings& settings);
 
 /// Throws SceneError unless the schema knows `entry` as the key or table that it is, and the body its
 /// boundary or region.
-void check_known(const Entry& entry, const Body& body);
+void check_known(const Entry& entry, const Schema& schema, const Body& body);
 
 /// The normalised value of a leaf; throws SceneError saying what was expected.
 nlohmann::json check_value(const Key& key, const Entry& entry, int dimension);

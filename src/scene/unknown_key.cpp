@@ -15,28 +15,13 @@ struct Owner {
     std::string name = "NAME";
 };
 
-bool is_declared(const std::string& pattern) {
-    return find_key(pattern) != nullptr || is_table(pattern);
+bool is_declared(const Schema& schema, const std::string& pattern) {
+    return schema.find(pattern) != nullptr || schema.is_table(pattern);
 }
 
-/// Every declared table and key, outer ones first.
-std::vector<std::string> declared_names() {
-    std::vector<std::string> names;
-    for (const Key& key : schema()) {
-        const auto parts = split(key.name);
-        for (std::size_t n = 1; n <= parts.size(); ++n) {
-            const std::string name = join(parts, n);
-            if (std::find(names.begin(), names.end(), name) == names.end()) {
-                names.push_back(name);
-            }
-        }
-    }
-    return names;
-}
-
-std::vector<std::string> members(const std::string& table) {
+std::vector<std::string> members(const Schema& schema, const std::string& table) {
     std::vector<std::string> leaves;
-    for (const std::string& name : declared_names()) {
+    for (const std::string& name : schema.names()) {
         const auto parts = split(name);
         if (join(parts, parts.size() - 1) == table) {
             leaves.push_back(parts.back());
@@ -46,9 +31,9 @@ std::vector<std::string> members(const std::string& table) {
 }
 
 /// Keys with that last part; those of a named boundary or region only for an entry of the same kind.
-std::vector<std::string> namesakes(const std::string& leaf, const Owner& owner) {
+std::vector<std::string> namesakes(const Schema& schema, const std::string& leaf, const Owner& owner) {
     std::vector<std::string> names;
-    for (const std::string& name : declared_names()) {
+    for (const std::string& name : schema.names()) {
         const auto parts = split(name);
         const bool elsewhere = is_named(parts) && parts[0] != owner.kind;
         if (parts.size() > 1 && parts.back() == leaf && !elsewhere) {
@@ -59,26 +44,26 @@ std::vector<std::string> namesakes(const std::string& leaf, const Owner& owner) 
 }
 
 /// A near name anywhere in the schema, dotted.
-std::string near_elsewhere(const std::string& leaf, const Owner& owner) {
+std::string near_elsewhere(const Schema& schema, const std::string& leaf, const Owner& owner) {
     std::vector<std::string> leaves;
-    for (const std::string& name : declared_names()) {
+    for (const std::string& name : schema.names()) {
         leaves.push_back(split(name).back());
     }
     const std::string found = nearest(leaf, leaves);
-    return found.empty() ? found : namesakes(found, owner).empty() ? found : namesakes(found, owner).front();
+    return found.empty() ? found : namesakes(schema, found, owner).empty() ? found : namesakes(schema, found, owner).front();
 }
 
-std::string suggestion(const std::string& table, const std::string& leaf, const Owner& owner) {
-    if (const auto names = namesakes(leaf, owner); !names.empty()) {
+std::string suggestion(const Schema& schema, const std::string& table, const std::string& leaf, const Owner& owner) {
+    if (const auto names = namesakes(schema, leaf, owner); !names.empty()) {
         return "; did you mean " + one_of(names) + "?";
     }
-    if (std::string text = did_you_mean(leaf, members(table)); !text.empty()) {
+    if (std::string text = did_you_mean(leaf, members(schema, table)); !text.empty()) {
         return text;
     }
-    if (const std::string name = near_elsewhere(leaf, owner); !name.empty()) {
+    if (const std::string name = near_elsewhere(schema, leaf, owner); !name.empty()) {
         return "; did you mean \"" + name + "\"?";
     }
-    return "; expected " + one_of(members(table));
+    return "; expected " + one_of(members(schema, table));
 }
 
 /// `kind`: "boundary" or "region".
@@ -93,7 +78,7 @@ void check_name(const Entry& entry, const std::string& kind, const std::string& 
 
 }  // namespace
 
-void check_known(const Entry& entry, const Body& body) {
+void check_known(const Entry& entry, const Schema& schema, const Body& body) {
     const auto parts = split(entry.key);
     if (is_named(parts)) {
         check_name(entry, parts[0], parts[1], body);
@@ -101,12 +86,12 @@ void check_known(const Entry& entry, const Body& body) {
     const Owner owner = is_named(parts) ? Owner{parts[0], parts[1]} : Owner{};
     const auto patterns = split(pattern_of(entry.key));
     for (std::size_t n = 1; n <= parts.size(); ++n) {
-        if (!is_declared(join(patterns, n))) {
+        if (!is_declared(schema, join(patterns, n))) {
             fail(entry.where,
-                 join(parts, n) + ": unknown key" + suggestion(join(patterns, n - 1), parts[n - 1], owner));
+                 join(parts, n) + ": unknown key" + suggestion(schema, join(patterns, n - 1), parts[n - 1], owner));
         }
     }
-    if (is_table(pattern_of(entry.key)) && !entry.is_table) {
+    if (schema.is_table(pattern_of(entry.key)) && !entry.is_table) {
         fail(entry.where, entry.key + ": expected a table, found " + show(entry.value));
     }
 }

@@ -94,7 +94,7 @@ void find_mechanical(const scene::Scene& scene, const std::vector<Piece>& pieces
         const auto laws = facets_with(scene, norms.mesh, &scene::Contact::compliance,
                                       [](const LawBounds& bounds) { return bounds.L_nu + bounds.L_tau; });
         constants.s1 = std::sqrt(noted(norms.largest_trace("velocity_trace", laws.facets, V), constants));
-        if (elasticity_elliptic(pieces, scene.dimension)) {
+        if (elasticity_elliptic(pieces, scene.dimension) && !bounds_of_laws(scene).own_contact) {
             EnergySpace stored(norms.operator_of(scene, "elasticity.stiffness"), prescribed.fixed(), held);
             constants.r_a = weighted_quotient(norms, "velocity_trace", laws, std::move(stored), constants);
         }
@@ -111,7 +111,7 @@ void find_thermal(const scene::Scene& scene, const std::vector<Piece>& pieces, c
         const auto laws = facets_with(scene, norms.mesh, &scene::Contact::conductance,
                                       [](const LawBounds& bounds) { return bounds.M_kc; });
         constants.s2 = std::sqrt(noted(norms.largest_trace("temperature_trace", laws.facets, Q), constants));
-        if (conductivity_elliptic(pieces)) {
+        if (conductivity_elliptic(pieces) && !bounds_of_laws(scene).own_exchange) {
             EnergySpace conducted(norms.operator_of(scene, "conduction.conduction"), prescribed.fixed(),
                                   held);
             constants.r_d =

@@ -200,6 +200,10 @@ class Judge {
             skip("(H7)", "no conductance");
             return;
         }
+        if (laws_.own_exchange) {
+            skip("(H7)", "conductance of a law file is not judged");
+            return;
+        }
         add("(H7 i)", true, "k_c bounded, zero without contact; any M_kc above", {{"sup k_c", laws_.M_kc}});
         add("(H7 ii)", true, "k_c Lipschitz", {{"L_kc", laws_.L_kc}});
     }
@@ -207,6 +211,10 @@ class Judge {
     void contact_laws() {
         if (!model::has_compliance(scene_)) {
             skip("(H8)", "no compliance");
+            return;
+        }
+        if (laws_.own_contact) {
+            skip("(H8)", "compliance or friction of a law file is not judged");
             return;
         }
         add("(H8 i-iii)", true, "p_nu and p_tau not negative, zero without contact");
@@ -218,14 +226,18 @@ class Judge {
 
     /// (2.23) as README's errata read it.
     void coercivity() {
-        if (constants_.s1) {
+        if (laws_.own_contact) {
+            skip("(2.23)", "m_a > (L_nu + L_tau) s1^2: the law of a file is not judged");
+        } else if (constants_.s1) {
             exceeds("m_a > (L_nu + L_tau) s1^2", m_a_,
                     {"(L_nu + L_tau) s1^2", product(laws_.L_nu + laws_.L_tau, *constants_.s1)});
             operators("E and the laws", "r_a", constants_.r_a, "(H2 i)");
         } else {
             skip("(2.23)", "m_a > (L_nu + L_tau) s1^2: no compliance");
         }
-        if (constants_.s2) {
+        if (laws_.own_exchange) {
+            skip("(2.23)", "m_d > M_kc s2^2: the law of a file is not judged");
+        } else if (constants_.s2) {
             exceeds("m_d > M_kc s2^2", m_d_, {"M_kc s2^2", product(laws_.M_kc, *constants_.s2)});
             operators("K and the laws", "r_d", constants_.r_d, "(H3 ii)");
         } else {

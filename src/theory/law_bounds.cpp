@@ -7,18 +7,25 @@ namespace thermocontact::theory {
 
 LawBounds bounds_of_laws(const std::string& name, const scene::Boundary& boundary) {
     LawBounds bounds;
-    if (boundary.contact && boundary.contact->compliance) {
-        const auto& [stiffness, exponent] = *boundary.contact->compliance;
-        bounds.L_nu = exponent == 1 ? stiffness : std::numeric_limits<double>::infinity();
-        if (boundary.contact->friction && boundary.contact->friction->coefficient > 0) {
-            bounds.L_tau = boundary.contact->friction->coefficient * bounds.L_nu;
+    if (!boundary.contact) {
+        return bounds;
+    }
+    const auto& [gap, quadrature, compliance, friction, conductance] = *boundary.contact;
+    bounds.own_contact =
+        (compliance && !compliance->file.empty()) || (friction && !friction->law.file.empty());
+    bounds.own_exchange = conductance && !conductance->law.file.empty();
+    if (compliance && !bounds.own_contact) {
+        const double exponent = compliance->constants.at("m");
+        bounds.L_nu = exponent == 1 ? compliance->constants.at("c_n") : std::numeric_limits<double>::infinity();
+        if (friction && friction->law.constants.at("mu") > 0) {
+            bounds.L_tau = friction->law.constants.at("mu") * bounds.L_nu;
         }
         bounds.not_lipschitz = exponent == 1 ? "" : name;
     }
-    if (boundary.contact && boundary.contact->conductance) {
-        const scene::Conductance& law = *boundary.contact->conductance;
-        bounds.M_kc = law.coefficient;
-        bounds.L_kc = law.coefficient / law.onset;
+    if (conductance && !bounds.own_exchange) {
+        const auto& law = conductance->law.constants;
+        bounds.M_kc = law.at("k_c");
+        bounds.L_kc = law.at("k_c") / law.at("eps_c");
     }
     return bounds;
 }
@@ -31,6 +38,8 @@ LawBounds bounds_of_laws(const scene::Scene& scene) {
         bounds.L_tau = std::max(bounds.L_tau, own.L_tau);
         bounds.M_kc = std::max(bounds.M_kc, own.M_kc);
         bounds.L_kc = std::max(bounds.L_kc, own.L_kc);
+        bounds.own_contact = bounds.own_contact || own.own_contact;
+        bounds.own_exchange = bounds.own_exchange || own.own_exchange;
         if (!own.not_lipschitz.empty()) {
             bounds.not_lipschitz += (bounds.not_lipschitz.empty() ? "" : ", ") + own.not_lipschitz;
         }

@@ -13,6 +13,7 @@ struct LawBounds {
     double M_kc = 0;            ///< least upper bound of k_c, W/(m^2 K)
     double L_kc = 0;            ///< Lipschitz constant of k_c, W/(m^3 K)
     std::string not_lipschitz;  ///< boundaries whose p_nu is not
+    bool own_contact = false, own_exchange = false;  ///< p_nu or p_tau, k_c of a law file: no numbers known
 };
 
 /// Those of one boundary's laws.

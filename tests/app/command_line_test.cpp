@@ -82,10 +82,12 @@ TEST(CommandLine, VersionAndHelp) {
 
 TEST(CommandLine, MistakesInTheCommand) {
     EXPECT_EQ(message({}),
-              "no command given; expected \"run\", \"plan\", \"check\", \"view\" or \"schema\", or --help");
+              "no command given; expected \"run\", \"plan\", \"check\", \"view\", \"schema\" or \"forms\", "
+              "or --help");
     EXPECT_EQ(message({"rnu", "a.toml"}), "unknown command \"rnu\"; did you mean \"run\"?");
     EXPECT_EQ(message({"simulate"}),
-              "unknown command \"simulate\"; expected \"run\", \"plan\", \"check\", \"view\" or \"schema\"");
+              "unknown command \"simulate\"; expected \"run\", \"plan\", \"check\", \"view\", \"schema\" or "
+              "\"forms\"");
     EXPECT_EQ(message({"--verison"}),
               "unknown option \"--verison\" before the command; did you mean \"--version\"?");
     EXPECT_EQ(message({"--quiet", "run", "a.toml"}),

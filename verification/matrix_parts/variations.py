@@ -1,6 +1,8 @@
 """The table of plane bodies: for every key of the schema the values that are tried. coverage.py says what must be in
 it, variations_in_space.py has the one of bodies in space."""
 
+from pathlib import Path
+
 from matrix_parts.cases import Variation, vary
 from matrix_parts.scenes import ABSENT, BESIDE, OPPOSITE, SIDES, Flat, base_name
 
@@ -9,6 +11,8 @@ NAME_ONLY = "a name"
 ALIKE = dict.fromkeys(("mesh.grading.front", "mesh.grading.back"), "boxes only")
 FILES_ONLY = "says what is written, not what is computed"
 SOLVER_ONLY = "says how the equations are solved, not which"
+
+LAWS = Path(__file__).resolve().parents[2] / "scenes" / "laws"
 
 CONTACT = "contact bottom"
 ISOTROPIC = ("material.elasticity.young", "material.elasticity.poisson")
@@ -247,6 +251,46 @@ def contact_on(side: str, shape: str = "rectangle") -> dict[str, list[Variation]
     }
 
 
+def law_files(side: str, shape: str = "rectangle") -> dict[str, list[Variation]]:
+    """Laws from files, alone, together, and the built-in ones that are made of them."""
+    base, at = base_name(shape, f"contact {side}"), f"boundary.{side}.contact"
+    forms = {law: f"forms.{law}" for law in ("compliance", "friction", "conductance")}
+    compliance: Flat = {
+        forms["compliance"]: str(LAWS / "power-law.py"),
+        f"{at}.compliance": ABSENT,
+        f"{at}.compliance.hardness": 40.0,
+        f"{at}.compliance.power": 1.5,
+    }
+    friction: Flat = {
+        forms["friction"]: str(LAWS / "stribeck.py"),
+        f"{at}.friction": ABSENT,
+        f"{at}.friction.static": 0.6,
+        f"{at}.friction.kinetic": 0.2,
+        f"{at}.friction.stribeck_velocity": 0.2,
+        f"{at}.friction.regularisation": 1e-2,
+    }
+    conductance: Flat = {
+        forms["conductance"]: str(LAWS / "pressure-conductance.py"),
+        f"{at}.conductance": ABSENT,
+        f"{at}.conductance.coefficient": 3.0,
+        f"{at}.conductance.hardness": 0.5,
+        f"{at}.conductance.foundation_temperature": 2.0,
+    }
+    vertex, exact = {f"{at}.quadrature": "vertex"}, {f"{at}.friction.regularisation": 0.0}
+    return {
+        forms["compliance"]: [
+            Variation(base, compliance),
+            Variation(base, {**compliance, **exact}),
+            Variation(base, {**compliance, **vertex, "space.degree": 2}),
+        ],
+        forms["friction"]: [Variation(base, friction), Variation(base, {**friction, **compliance})],
+        forms["conductance"]: [
+            Variation(base, conductance),
+            Variation(base, {**conductance, **compliance, **friction, "mesh.cell": "tensor"}),
+        ],
+    }
+
+
 def _every_rule() -> list[Variation]:
     """Gauss rules of an odd degree have the points of the even degree below."""
     quadrature = "boundary.bottom.contact.quadrature"
@@ -303,7 +347,13 @@ def _solver_and_output() -> dict[str, list[Variation]]:
 
 
 def _variations() -> dict[str, list[Variation]]:
-    table = {**_mesh_and_time(), **_material(), **_heat_and_loads(), **_solver_and_output()}
+    table = {
+        **_mesh_and_time(),
+        **_material(),
+        **_heat_and_loads(),
+        **_solver_and_output(),
+        **law_files("bottom"),
+    }
     for side in SIDES["rectangle"]:
         for key, variations in {**_conditions(side), **contact_on(side)}.items():
             table.setdefault(f"boundary.NAME.{key}", []).extend(variations)

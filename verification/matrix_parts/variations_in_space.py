@@ -6,7 +6,7 @@ triangles and quadrilaterals. ALIKE are the keys that know nothing of it.
 
 from matrix_parts.cases import Variation, vary
 from matrix_parts.scenes import ABSENT, AXIS, BESIDE, OPPOSITE, SIDES, Flat, base_name
-from matrix_parts.variations import DEFAULT, ISOTROPIC, SOLVER_ONLY, contact_on
+from matrix_parts.variations import DEFAULT, ISOTROPIC, SOLVER_ONLY, contact_on, law_files
 
 ALIKE = {
     "title": "a name",
@@ -239,7 +239,14 @@ def _strategies() -> dict[str, list[Variation]]:
 
 
 def _variations() -> dict[str, list[Variation]]:
-    table = {**_mesh(), **_schemes(), **_material(), **_heat_and_loads(), **_strategies()}
+    table = {
+        **_mesh(),
+        **_schemes(),
+        **_material(),
+        **_heat_and_loads(),
+        **_strategies(),
+        **law_files("bottom", SHAPE),
+    }
     for side in SIDES[SHAPE]:
         laws = contact_on(side, SHAPE) if side == "bottom" else _on_other_sides(side)
         for key, variations in {**_conditions(side), **laws}.items():

@@ -8,13 +8,13 @@ SIGNS = (
     Mutation(
         "compliance",
         "forms/compliance.py",
-        "positive_part(dot(u_old + k * w, n)",
-        "positive_part(dot(u_old - k * w, n)",
+        "r=dot(u_old + k * w, n)",
+        "r=dot(u_old - k * w, n)",
         "sign",
         "u_n = u_old + k w",
     ),
     Mutation(
-        "conductance", "forms/conductance.py", "s = theta - theta_F", "s = theta + theta_F", "sign", "theta_F"
+        "conductance", "forms/conductance.py", "s=theta - theta_F", "s=theta + theta_F", "sign", "theta_F"
     ),
     Mutation(
         "coulomb",
@@ -35,7 +35,7 @@ SIGNS = (
     Mutation(
         "elasticity", "forms/elasticity.py", "stiffness = inner(", "stiffness = -inner(", "sign", "E eps(u)"
     ),
-    Mutation("friction", "forms/friction.py", "sigma_t = -p_t", "sigma_t = p_t", "sign", "friction drives"),
+    Mutation("friction", "forms/friction.py", "sigma_t = -law", "sigma_t = law", "sign", "friction drives"),
     Mutation(
         "heat_capacity", "forms/heat_capacity.py", "capacity = c", "capacity = -c", "sign", "stored heat"
     ),
@@ -86,9 +86,9 @@ SIGNS = (
 OTHERS = (
     Mutation(
         "compliance-exponent",
-        "forms/compliance.py",
-        "p_n = c_n * positive_part(dot(u_old + k * w, n) - g) ** m",
-        "p_n = c_n * positive_part(dot(u_old + k * w, n) - g)",
+        "forms/laws/compliance.py",
+        "return c_n * positive_part(r) ** m",
+        "return c_n * positive_part(r)",
         "missing",
         "p_n = c_n r^m",
     ),
@@ -118,7 +118,7 @@ OTHERS = (
     ),
     Mutation(
         "conductance-onset",
-        "forms/conductance.py",
+        "forms/laws/conductance.py",
         "k_c * r / eps_c)) * phi_L",
         "k_c)) * phi_L",
         "missing",
@@ -126,7 +126,7 @@ OTHERS = (
     ),
     Mutation(
         "conductance-limit",
-        "forms/conductance.py",
+        "forms/laws/conductance.py",
         "conditional(lt(s, -L), -L, s)",
         "conditional(lt(s, -L), L, s)",
         "sign",
@@ -181,12 +181,12 @@ OTHERS = (
         "only the tangential velocity rubs",
     ),
     Mutation(
-        "friction-exponent",
-        "forms/friction.py",
-        "p_t = mu * c_n * positive_part(dot(u_old + k * w, n) - g) ** m",
-        "p_t = mu * c_n * positive_part(dot(u_old + k * w, n) - g)",
+        "friction-coefficient",
+        "forms/laws/friction.py",
+        "return mu * p_n",
+        "return p_n",
         "missing",
-        "p_t = mu p_n for every exponent",
+        "p_t = mu p_n",
     ),
     Mutation(
         "friction-traction",

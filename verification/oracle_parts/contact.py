@@ -14,6 +14,7 @@ from oracle_parts import laws
 from oracle_parts.domain import Nodal, Side, node_points
 from oracle_parts.exact_friction import ExactFriction, FrictionTerm
 from oracle_parts.newton import CompiledTerm, Term
+from oracle_parts.own_laws import LawOnMesh, OwnLaw
 from oracle_parts.portability import cell_nodes, lagrange_space
 from oracle_parts.scene import Contact, Scene
 
@@ -72,13 +73,17 @@ class ContactSide:
         self.ds = side.ds(quadrature_metadata(contact.quadrature, scene.degree, self.facet))
         self.normal = ufl.FacetNormal(mesh)
         self.gap = Nodal(scalar_space, scene, [contact.gap], side)
+        self.own: dict[str, LawOnMesh] = {}  # laws of files, by kind
         if contact.compliance:
+            self._take("compliance", contact.compliance.own)
             self.stiffness = _constant(mesh, contact.compliance.stiffness)
             self.exponent = _constant(mesh, contact.compliance.exponent)
         if contact.friction:
+            self._take("friction", contact.friction.own)
             self.friction = _constant(mesh, contact.friction.coefficient)
             self.epsilon = _constant(mesh, contact.friction.regularisation)
         if contact.conductance:
+            self._take("conductance", contact.conductance.own)
             self.coefficient = _constant(mesh, contact.conductance.coefficient)
             self.onset = _constant(mesh, contact.conductance.onset)
             foundation = contact.conductance.foundation_temperature
@@ -90,6 +95,10 @@ class ContactSide:
         if contact.friction and contact.friction.regularisation == 0.0:
             rule = quadrature_metadata(contact.quadrature, scene.degree, self.facet)
             self.exact = ExactFriction(self, scene, self.local_facets, rule)
+
+    def _take(self, kind: str, law: OwnLaw | None) -> None:
+        if law is not None:
+            self.own[kind] = LawOnMesh(law, lambda value: _constant(self.mesh, value))
 
     def update(self, time: float) -> None:
         self.gap.update(time)
@@ -107,18 +116,67 @@ class ContactSide:
         return w - ufl.dot(w, self.normal) * self.normal
 
     def pressure(self, r: Any) -> Any:
+        if own := self.own.get("compliance"):
+            return own(r=r)
         return laws.pressure(laws.UFL, r, self.stiffness, self.exponent)
 
     def friction_stress(self, r: Any, w: Any) -> Any:
         """-sigma_t = p_t w_t / |w_t|_epsilon."""
         w_t = self.tangential(w)
         norm = laws.regularised_norm(laws.UFL, ufl.dot(w_t, w_t), self.epsilon)
-        return self.friction * self.pressure(r) * w_t / norm
+        own = self.own.get("friction")
+        bound = own(p_n=self.pressure(r), speed=norm) if own else self.friction * self.pressure(r)
+        return bound * w_t / norm
 
     def heat_flow(self, r: Any, theta: Any) -> Any:
         """q.n = k_c(r) phi_L(theta - theta_F)."""
+        s = theta - self.foundation.function
+        if own := self.own.get("conductance"):
+            return own(r=r, s=s, p_n=self.pressure(r) if "p_n" in own.takes else None)
         k_c = laws.conductance(laws.UFL, r, self.coefficient, self.onset)
-        return k_c * laws.clamped(laws.UFL, theta - self.foundation.function, self.limit)
+        return k_c * laws.clamped(laws.UFL, s, self.limit)
+
+    # The same where r, slip and temperature are numbers
+
+    def pressure_at(self, r: Array) -> Array:
+        law = self.contact.compliance
+        assert law is not None
+        if own := self.own.get("compliance"):
+            return own.at(r=r)
+        result: Array = laws.pressure(laws.NUMPY, r, law.stiffness, law.exponent)
+        return result
+
+    def pressure_slope_at(self, r: Array) -> Array:
+        law = self.contact.compliance
+        assert law is not None
+        if own := self.own.get("compliance"):
+            return own.at("r", r=r)
+        return np.where(r >= 0.0, law.stiffness * law.exponent * np.abs(r) ** (law.exponent - 1), 0.0)
+
+    def bound_at(self, r: Array, speed: Array | float = 0.0) -> Array:
+        """p_t."""
+        assert self.contact.friction is not None
+        pressure = self.pressure_at(r)
+        if own := self.own.get("friction"):
+            return own.at(p_n=pressure, speed=np.broadcast_to(speed, pressure.shape))
+        return self.contact.friction.coefficient * pressure
+
+    def bound_slope_at(self, r: Array) -> Array:
+        """d p_t / dr, of a bound that does not depend on the speed."""
+        assert self.contact.friction is not None
+        slope = self.pressure_slope_at(r)
+        if own := self.own.get("friction"):
+            return own.at("p_n", p_n=self.pressure_at(r)) * slope
+        return self.contact.friction.coefficient * slope
+
+    def heat_flow_at(self, r: Array, s: Array) -> Array:
+        law = self.contact.conductance
+        assert law is not None
+        if own := self.own.get("conductance"):
+            return own.at(r=r, s=s, p_n=self.pressure_at(r) if "p_n" in own.takes else r)
+        k_c = laws.conductance(laws.NUMPY, r, law.coefficient, law.onset)
+        result: Array = k_c * laws.clamped(laws.NUMPY, s, law.limit)
+        return result
 
     def momentum_terms(self, u_base: Any, tau: Any, w: Any) -> list[Term]:
         """The displacement is u_base + tau w with the unknown w."""
@@ -210,7 +268,7 @@ class ContactSide:
 
     def nodal(self, u: Any, w: Any, theta: Any) -> dict[str, Array]:
         """Each result of this side at its facets' nodes: shape (facets, nodes) or (facets, nodes, d)."""
-        contact, m = self.contact, laws.NUMPY
+        contact = self.contact
         r = self.nodal_penetration(u)
         result: dict[str, Array] = {"gap": -r, "state": np.where(r < 0.0, OPEN, SLIP)}
         if w is not None:
@@ -219,22 +277,19 @@ class ContactSide:
             slip = velocity - normal_velocity[:, :, None] * self.normals
             result["slip_velocity"] = slip
         if contact.compliance:
-            pressure = laws.pressure(m, r, contact.compliance.stiffness, contact.compliance.exponent)
-            result["pressure"] = pressure
+            result["pressure"] = self.pressure_at(r)
         if self.exact:
-            result["traction"], slips = self.exact.nodal_traction(slip, self.exact.bound(r))
+            result["traction"], slips = self.exact.nodal_traction(slip, self.bound_at(r))
             result["state"] = np.where((r >= 0.0) & ~slips, STICK, result["state"])
         elif contact.friction:
             epsilon = contact.friction.regularisation
-            norm = laws.regularised_norm(m, np.sum(slip**2, axis=2), epsilon)
-            result["traction"] = -contact.friction.coefficient * (pressure / norm)[:, :, None] * slip
+            norm = laws.regularised_norm(laws.NUMPY, np.sum(slip**2, axis=2), epsilon)
+            result["traction"] = -(self.bound_at(r, norm) / norm)[:, :, None] * slip
             sticks = (r >= 0.0) & (np.linalg.norm(slip, axis=2) <= epsilon)
             result["state"] = np.where(sticks, STICK, result["state"])
         if contact.conductance:
-            law = contact.conductance
             above = (theta.x.array - self.foundation.function.x.array)[self.scalar_nodes]
-            k_c = laws.conductance(m, r, law.coefficient, law.onset)
-            result["heat_flow"] = k_c * laws.clamped(m, above, law.limit)
+            result["heat_flow"] = self.heat_flow_at(r, above)
         return result
 
 

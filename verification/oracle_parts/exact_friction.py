@@ -16,7 +16,6 @@ from dolfinx.mesh import CellType
 from mpi4py import MPI
 from petsc4py import PETSc
 
-from oracle_parts import laws
 from oracle_parts.errors import NumericsError
 from oracle_parts.portability import cell_nodes
 
@@ -111,12 +110,7 @@ class ExactFriction:
         ]
         gap = np.einsum("fqi,fi->fq", self.basis, self.side.gap.function.x.array[self.gap_nodes])
         r = np.sum(values[0] * self.normals, axis=2) - gap
-        return r, self.bound(r), self._tangential(values[1])
-
-    def bound(self, r: Array) -> Array:
-        contact = self.side.contact
-        law = contact.compliance
-        return contact.friction.coefficient * laws.pressure(laws.NUMPY, r, law.stiffness, law.exponent)
+        return r, self.side.bound_at(r), self._tangential(values[1])
 
     def _tangential(self, field: Array) -> Array:
         tangential: Array = field - np.sum(field * self.normals, axis=2)[..., None] * self.normals
@@ -155,8 +149,7 @@ class ExactFriction:
         along = direction[..., :, None] * direction[..., None, :]
         sliding = (bound / safe)[..., None, None] * (onto_plane - along)
         by_slip = self.gamma * np.where(slides[..., None, None], sliding, onto_plane)
-        law, mu = self.side.contact.compliance, self.side.contact.friction.coefficient
-        slope = np.where(r >= 0.0, mu * law.stiffness * law.exponent * np.abs(r) ** (law.exponent - 1), 0.0)
+        slope = self.side.bound_slope_at(r)
         by_pressure = (
             np.where(slides, tau * slope, 0.0)[..., None, None] * direction[..., :, None] * n[..., None, :]
         )

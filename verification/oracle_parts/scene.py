@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from oracle_parts.errors import SceneError
 from oracle_parts.expressions import Expression
+from oracle_parts.own_laws import FUNCTIONS, OwnLaw
 from oracle_parts.tables import (
     Table,
     count,
@@ -25,6 +26,7 @@ from oracle_parts.tables import (
 from oracle_parts.time_steps import RADII
 
 Matrix = npt.NDArray[np.float64]
+OwnLaws = dict[str, OwnLaw]  # by kind
 SHAPES = {"rectangle": 2, "box": 3}
 SIDES = (("left", "right"), ("bottom", "top"), ("front", "back"))  # of each axis
 FIELDS = ("displacement", "velocity", "temperature", "stress", "von_mises", "contact")
@@ -61,22 +63,25 @@ class Heat:
 
 @dataclass(frozen=True)
 class Compliance:
-    stiffness: float
+    stiffness: float  # nan where `own` says
     exponent: float
+    own: OwnLaw | None
 
 
 @dataclass(frozen=True)
 class Friction:
-    coefficient: float
+    coefficient: float  # nan where `own` says
     regularisation: float
+    own: OwnLaw | None
 
 
 @dataclass(frozen=True)
 class Conductance:
-    coefficient: float
+    coefficient: float  # nan where `own` says
     onset: float
     foundation_temperature: Expression
     limit: float | None
+    own: OwnLaw | None
 
 
 @dataclass(frozen=True)
@@ -163,6 +168,7 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         raise SceneError("initial.velocity needs material.density: a quasi-static scene has no inertia")
     sides = root.defaulted("boundary")
     end = time.take("end", positive)
+    files = _files(root.table("forms"), path)
     scene = Scene(
         dimension=dimension,
         shape=shape,
@@ -180,7 +186,9 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         initial_displacement=initial.take("displacement", list_of(expression, dimension), dimension * [0.0]),
         initial_velocity=initial.take("velocity", list_of(expression, dimension), dimension * [0.0]),
         initial_temperature=initial.take("temperature", expression, 0.0),
-        boundaries={name: _boundary(sides, name, material, heat, dimension) for name in sorted(sides.left)},
+        boundaries={
+            name: _boundary(sides, name, material, heat, dimension, files) for name in sorted(sides.left)
+        },
         tolerance=solver.take("tolerance", positive, 1e-12),
         max_iterations=solver.take("max_iterations", count, 50),
         every=output.take("every", count, 1),
@@ -193,6 +201,15 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         if table:
             table.close()
     return scene
+
+
+def _files(table: Table | None, path: Path) -> OwnLaws:
+    """The law files, by the law that they take the place of."""
+    if table is None:
+        return {}
+    names = {kind: table.optional(kind, str) for kind in FUNCTIONS}
+    table.close()
+    return {kind: OwnLaw(kind, path.parent / name) for kind, name in names.items() if name is not None}
 
 
 def _mesh(mesh: Table, path: Path) -> tuple[int, Shape | None, Path | None]:
@@ -423,7 +440,12 @@ def _free_or_expression(raw: Any) -> Expression | None:
 
 
 def _boundary(
-    sides: Table, name: str, material: Material | None, heat: Heat | None, dimension: int
+    sides: Table,
+    name: str,
+    material: Material | None,
+    heat: Heat | None,
+    dimension: int,
+    files: OwnLaws,
 ) -> Boundary:
     table = sides.table(name)
     assert table is not None
@@ -432,7 +454,7 @@ def _boundary(
         traction=table.optional("traction", list_of(expression, dimension)),
         temperature=table.optional("temperature", expression),
         heat_flux=table.optional("heat_flux", expression),
-        contact=_contact(table.table("contact")),
+        contact=_contact(table.table("contact"), files),
     )
     table.close()
     contact = boundary.contact
@@ -450,24 +472,51 @@ def _finite(value: float | None) -> float | None:
     return None if value is None or np.isinf(value) else value
 
 
-def _compliance(table: Table) -> Compliance:
-    return Compliance(table.take("stiffness", positive), table.take("exponent", positive, 1.0))
+def _own(table: Table, kind: str, files: OwnLaws) -> OwnLaw | None:
+    """The law of a file with the numbers of this table; None: the built-in law."""
+    law = files.get(kind)
+    if law is None:
+        return None
+    numbers = {}
+    for declared in law.declarations():
+        if declared.default is not None and declared.key not in table:
+            numbers[declared.key] = float(declared.default)
+            if np.isfinite(declared.default):
+                table.take(declared.key, number, declared.default)
+            continue
+        numbers[declared.key] = table.take(declared.key, number)
+        if not declared.admits(numbers[declared.key]):
+            raise SceneError(f"{table.key(declared.key)} is out of its range")
+    return OwnLaw(kind, law.path, numbers)
 
 
-def _friction(table: Table) -> Friction:
-    return Friction(table.take("coefficient", number), table.take("regularisation", not_negative))
+def _compliance(table: Table, files: OwnLaws) -> Compliance:
+    if own := _own(table, "compliance", files):
+        return Compliance(np.nan, np.nan, own)
+    return Compliance(table.take("stiffness", positive), table.take("exponent", positive, 1.0), None)
 
 
-def _conductance(table: Table) -> Conductance:
+def _friction(table: Table, files: OwnLaws) -> Friction:
+    own = _own(table, "friction", files)
+    coefficient = np.nan if own else table.take("coefficient", number)
+    return Friction(coefficient, table.take("regularisation", not_negative), own)
+
+
+def _conductance(table: Table, files: OwnLaws) -> Conductance:
+    own = _own(table, "conductance", files)
+    foundation = table.take("foundation_temperature", expression)
+    if own:
+        return Conductance(np.nan, np.nan, foundation, None, own)
     return Conductance(
         coefficient=table.take("coefficient", number),
         onset=table.take("onset", positive),
-        foundation_temperature=table.take("foundation_temperature", expression),
+        foundation_temperature=foundation,
         limit=_finite(table.optional("limit", positive)),
+        own=None,
     )
 
 
-def _contact(table: Table | None) -> Contact | None:
+def _contact(table: Table | None, files: OwnLaws) -> Contact | None:
     if table is None:
         return None
     compliance, friction = table.table("compliance"), table.table("friction")
@@ -477,9 +526,9 @@ def _contact(table: Table | None) -> Contact | None:
     contact = Contact(
         gap=table.take("gap", expression, 0.0),
         quadrature=table.take("quadrature", lambda raw: raw if raw == "vertex" else count(raw), 4),
-        compliance=_compliance(compliance) if compliance else None,
-        friction=_friction(friction) if friction else None,
-        conductance=_conductance(conductance) if conductance else None,
+        compliance=_compliance(compliance, files) if compliance else None,
+        friction=_friction(friction, files) if friction else None,
+        conductance=_conductance(conductance, files) if conductance else None,
     )
     for part in (table, compliance, friction, conductance):
         if part:

@@ -1,18 +1,19 @@
 """Coulomb friction (2.9) with the norm regularised: -sigma_t = p_t w_t / |w_t|_eps, |v|_eps = sqrt(v.v + eps^2).
 
-The bound p_t is the law of laws/friction.py or of a scene's file, of p_n and the speed |w_t|_eps. The unknown is the
-velocity w of the step; the displacement is u = u_old + k w.
+The bound p_t is the law of laws/friction.py or of a scene's file, of p_n and the speed |w_t|_eps. w_t is the tangential
+velocity relative to the foundation, which moves with v_F. What friction dissipates, -sigma_t.w_t, becomes heat, of which
+the body gets a share. The unknown is the velocity w of the step; the displacement is u = u_old + k w.
 """
 
 from in_force import law
 from space import V, Q, mesh, n, over_contact, at_nodes, tangential
 from ufl import Coefficient, Constant, TestFunction, TrialFunction, derivative, dot, sqrt
 
-eps, k = Constant(mesh), Constant(mesh)
-w, u_old, g = Coefficient(V), Coefficient(V), Coefficient(Q)
-v, dw = TestFunction(V), TrialFunction(V)
+eps, k, heat_share = (Constant(mesh) for _ in range(3))
+w, u_old, g, v_F = Coefficient(V), Coefficient(V), Coefficient(Q), Coefficient(V)
+v, dw, eta = TestFunction(V), TrialFunction(V), TestFunction(Q)
 
-w_t = tangential(w)
+w_t = tangential(w - v_F)
 speed = sqrt(dot(w_t, w_t) + eps**2)
 p_n = law("compliance", r=dot(u_old + k * w, n) - g)
 sigma_t = -law("friction", p_n=p_n, speed=speed) * w_t / speed
@@ -20,3 +21,4 @@ sigma_t = -law("friction", p_n=p_n, speed=speed) * w_t / speed
 residual = over_contact(-dot(sigma_t, tangential(v)))
 jacobian = derivative(residual, w, dw)
 traction = at_nodes(dot(sigma_t, v))
+heat = over_contact(-heat_share * dot(sigma_t, w_t) * eta)

@@ -157,6 +157,7 @@ Heat read_heat(const Settings& s, const std::string& at, Heat heat) {
     read_tensor(s, at + "heat.conductivity", heat.conductivity);
     read_tensor(s, at + "heat.thermal_stress", heat.thermal_stress);
     read_tensor(s, at + "heat.strain_heating", heat.strain_heating);
+    read_tensor(s, at + "heat.strain_rate_heating", heat.strain_rate_heating);
     const std::string coupling = at + "heat.thermal_stress";
     if (s.has(coupling) && s.value(coupling).is_number() && kinematics_of(s) == Kinematics::plane_strain) {
         heat.thermal_stress->out_of_plane = number(s, coupling);
@@ -183,7 +184,8 @@ std::map<std::string, Region> read_regions(const Settings& s, const Scene& scene
 /// The constants of the law in force, from its table below `at`.
 Law read_law(const Settings& s, const std::string& kind, const std::string& at) {
     const OwnLaw* own = s.law(kind);
-    const laws::Description description = own != nullptr ? own->description : laws::built_in_law(kind).description;
+    const laws::Description description =
+        own != nullptr ? own->description : laws::built_in_law(kind).description;
     Law law;
     law.file = own != nullptr ? own->file.path.string() : "";
     for (const laws::Parameter& parameter : description.parameters) {
@@ -201,17 +203,20 @@ std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
     }
     Contact contact;
     contact.gap = to_expression(s, s.value(at + ".gap"));
+    contact.foundation_velocity = expressions(s, at + ".foundation_velocity");
     contact.quadrature = s.value(at + ".quadrature") == "vertex" ? 0 : integer(s, at + ".quadrature");
     if (s.written(at + ".compliance")) {
         contact.compliance = read_law(s, "compliance", at);
     }
     if (s.written(at + ".friction")) {
         contact.friction = {read_law(s, "friction", at), number(s, at + ".friction.regularisation")};
+        if (s.has(at + ".friction.heat_share")) {
+            contact.friction->heat_share = number(s, at + ".friction.heat_share");
+        }
     }
     if (s.written(at + ".conductance")) {
-        contact.conductance = {
-            read_law(s, "conductance", at),
-            to_expression(s, s.value(at + ".conductance.foundation_temperature"))};
+        contact.conductance = {read_law(s, "conductance", at),
+                               to_expression(s, s.value(at + ".conductance.foundation_temperature"))};
     }
     return contact;
 }
@@ -227,7 +232,8 @@ void read_kernels(const Settings& s, Scene& scene) {
         return;
     }
     const bool tensor = scene.mesh.cell == "tensor";
-    const std::string plane = tensor ? "quadrilateral" : "triangle", solid = tensor ? "hexahedron" : "tetrahedron";
+    const std::string plane = tensor ? "quadrilateral" : "triangle",
+                      solid = tensor ? "hexahedron" : "tetrahedron";
     const std::string cell = s.body.mesh ? s.body.mesh->cell : scene.dimension == 2 ? plane : solid;
     try {
         scene.kernels = laws::kernels(files, cell, scene.degree);
@@ -236,11 +242,18 @@ void read_kernels(const Settings& s, Scene& scene) {
     }
 }
 
+std::optional<Convection> read_convection(const Settings& s, const std::string& at) {
+    if (!s.written(at)) {
+        return std::nullopt;
+    }
+    return Convection{number(s, at + ".coefficient"), to_expression(s, s.value(at + ".ambient_temperature"))};
+}
+
 Boundary read_boundary(const Settings& s, const std::string& name) {
     const std::string at = "boundary." + name;
-    return {free_expressions(s, at + ".displacement"), expressions(s, at + ".traction"),
+    return {free_expressions(s, at + ".displacement"),   expressions(s, at + ".traction"),
             optional_expression(s, at + ".temperature"), optional_expression(s, at + ".heat_flux"),
-            read_contact(s, at + ".contact")};
+            read_convection(s, at + ".convection"),      read_contact(s, at + ".contact")};
 }
 
 std::vector<std::string> names_in_force(const Settings& s, const std::string& prefix) {

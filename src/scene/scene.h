@@ -69,11 +69,12 @@ struct Material {
 };
 
 struct Heat {
-    std::optional<double> capacity;                 ///< J/(m^3 K)
-    std::optional<SymmetricTensor> conductivity;    ///< W/(m K)
-    std::optional<Expression> source;               ///< W/m^3
-    std::optional<SymmetricTensor> thermal_stress;  ///< M, Pa/K
-    std::optional<SymmetricTensor> strain_heating;  ///< R, W/m^3 (per unit strain)
+    std::optional<double> capacity;                           ///< J/(m^3 K)
+    std::optional<SymmetricTensor> conductivity;              ///< W/(m K)
+    std::optional<Expression> source;                         ///< W/m^3
+    std::optional<SymmetricTensor> thermal_stress;            ///< M, Pa/K
+    std::optional<SymmetricTensor> strain_heating;            ///< R, W/m^3 (per unit strain)
+    std::optional<SymmetricTensor> strain_rate_heating = {};  ///< of the strain rate, J/m^3
 };
 
 /// What one named region of the mesh is made of: the scene's defaults with the region's own numbers over
@@ -99,6 +100,8 @@ struct Law {
 struct Friction {
     Law law;                ///< mu
     double regularisation;  ///< epsilon, m/s
+    double heat_share =
+        0;  ///< of what friction dissipates, that heats the body; the foundation takes the rest
 };
 
 struct Conductance {
@@ -109,9 +112,17 @@ struct Conductance {
 struct Contact {
     Expression gap;      ///< initial gap g, m
     int quadrature = 4;  ///< degree of the Gauss rule on facets; 0: the rule at the facet's nodes ("vertex")
+    std::vector<Expression> foundation_velocity =
+        {};                         ///< [d] m/s, its tangential part counts; size 0: at rest
     std::optional<Law> compliance;  ///< c_n, Pa/m^m, m in p_n(r) = c_n r_+^m
     std::optional<Friction> friction;
     std::optional<Conductance> conductance;
+};
+
+/// Heat exchange with the surroundings, q.n = h (theta - theta_a).
+struct Convection {
+    double coefficient;              ///< h, W/(m^2 K)
+    Expression ambient_temperature;  ///< theta_a, K
 };
 
 struct Boundary {
@@ -120,6 +131,7 @@ struct Boundary {
     std::vector<Expression> traction;       ///< [d] Pa; size 0: none
     std::optional<Expression> temperature;  ///< K
     std::optional<Expression> heat_flux;    ///< W/m^2 into the body
+    std::optional<Convection> convection;
     std::optional<Contact> contact;
 };
 
@@ -152,9 +164,9 @@ struct Scene {
     std::map<std::string, Boundary> boundaries;
     SolverSpec solver;
     OutputSpec output;
-    KernelTable kernels = {};             ///< of law files: they come before the linked ones
+    KernelTable kernels = {};                      ///< of law files: they come before the linked ones
     std::map<std::string, std::string> laws = {};  ///< digest of each law file, by kind
-    nlohmann::ordered_json resolved;  ///< every key that is in force, defaults included
+    nlohmann::ordered_json resolved;               ///< every key that is in force, defaults included
 };
 
 }  // namespace thermocontact::scene

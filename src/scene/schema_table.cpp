@@ -135,6 +135,10 @@ std::vector<Key> material_keys() {
          .example = "1.5",
          .description = "R in the heat R : e(u) produced per volume by a strain e(u); a number means "
          "isotropic."},
+        {.name = "heat.strain_rate_heating", .type = Type::symmetric_tensor, .unit = "J/m^3", .needs = {"material"},
+         .example = "-0.5",
+         .description = "R' in the heat R' : e(w) produced per volume by a strain rate e(w); a number means isotropic. "
+         "Thermoelasticity has R' = -theta_0 M, theta_0 the absolute temperature."},
 
         {.name = "load.body_force", .type = Type::expressions, .unit = "N/m^3", .needs = {"material"},
          .example = R"toml([0.0, "-9.81*min(t, 1)"])toml", .description = "Force per volume."},
@@ -179,10 +183,17 @@ std::vector<Key> prescribed_keys() {
         {.name = "boundary.NAME.traction", .type = Type::expressions, .unit = "Pa", .needs = {"material"},
          .example = R"toml([1.4, "0.4*cos(pi*t)"])toml", .description = "Force per area on the boundary."},
         {.name = "boundary.NAME.temperature", .type = Type::expression, .unit = "K",
-         .excludes = {"boundary.NAME.heat_flux", "boundary.NAME.contact.conductance"}, .needs = {"heat"},
+         .excludes = {"boundary.NAME.heat_flux", "boundary.NAME.convection", "boundary.NAME.contact.conductance"},
+         .needs = {"heat"},
          .example = R"("10*t")", .description = "Prescribed temperature, from the first step on."},
         {.name = "boundary.NAME.heat_flux", .type = Type::expression, .unit = "W/m^2", .needs = {"heat"},
          .example = "5.0", .description = "Heat that flows into the body per area."},
+        {.name = "boundary.NAME.convection.coefficient", .type = Type::number, .unit = "W/(m^2 K)",
+         .range = not_negative, .required = true, .needs = {"heat"}, .example = "10.0",
+         .description = "h in the heat h (theta - theta_a) that the boundary gives to its surroundings per area."},
+        {.name = "boundary.NAME.convection.ambient_temperature", .type = Type::expression, .unit = "K",
+         .required = true, .needs = {"heat"}, .example = R"("20 + 5*sin(t)")",
+         .description = "Temperature theta_a of the surroundings."},
 
         {.name = "boundary.NAME.contact.gap", .type = Type::expression, .unit = "m", .fallback = "0.0",
          .example = R"("0.001*x^2")", .description = "Initial gap between the boundary and the foundation."},
@@ -197,11 +208,22 @@ std::vector<Key> prescribed_keys() {
 /// What the weak forms of contact take beside their laws' parameters.
 std::vector<Key> contact_keys() {
     return {
+        {.name = "boundary.NAME.contact.foundation_velocity", .type = Type::expressions, .unit = "m/s",
+         .needs = {"boundary.NAME.contact.friction"}, .example = R"(["-2*y", "2*x"])",
+         .description = "Velocity of the foundation below the place x, y, z, which friction acts against; only its part "
+         "along the boundary counts. A disc that turns about z has (-omega*(y - y0), omega*(x - x0), 0). Absent: at "
+         "rest."},
+
         {.name = "boundary.NAME.contact.friction.regularisation", .type = Type::number, .unit = "m/s",
          .range = not_negative, .required = true, .needs = {"boundary.NAME.contact.compliance"},
          .example = "1e-4",
          .description = "Slip velocity epsilon below which friction is smoothed; 0: Coulomb's law itself, with "
          "contact.quadrature 1, 2, 4 or vertex."},
+        {.name = "boundary.NAME.contact.friction.heat_share", .type = Type::number, .range = from_to(0, 1),
+         .needs = {"boundary.NAME.contact.compliance", "heat"}, .example = "0.5",
+         .description = "Share of what friction dissipates that heats the body; the foundation, whose temperature is "
+         "given, takes the rest. Absent: none."},
+
         {.name = "boundary.NAME.contact.conductance.foundation_temperature", .type = Type::expression,
          .unit = "K", .required = true, .needs = {"heat"}, .example = R"toml("10*min(t, 1)")toml",
          .description = "Temperature of the foundation."},

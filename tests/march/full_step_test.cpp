@@ -16,23 +16,32 @@ const std::string bottom = "boundary.bottom.contact.";
 
 std::vector<Case> cases() {
     const std::string coarse = "mesh.cells=[4,3]";
-    return {{"paper", "paper", {coarse}},
-            {"paper_isotropic", "paper-isotropic", {coarse}},
-            {"paper_crossed", "paper", {coarse, "mesh.diagonal=\"crossed\""}},
-            {"paper_quadratic", "paper-isotropic", {coarse, "space.degree=2"}},
-            {"paper_finite_limit",
-             "paper-isotropic",
-             {coarse, bottom + "conductance.limit=4.0", bottom + "conductance.coefficient=30.0"}},
-            {"paper_sharp_friction", "paper", {coarse, bottom + "friction.regularisation=1e-8"}},
-            {"paper_quadratic_law", "paper", {coarse, bottom + "compliance.exponent=2"}},
-            {"paper_vertex_rule", "paper", {coarse, bottom + "quadrature=\"vertex\""}},
-            {"anisotropic", "anisotropic", {"mesh.cells=[3,2]"}},
-            {"elastic", "elastic", {coarse}},
-            {"frictionless", "frictionless", {coarse}},
-            {"heat_only", "heat-only", {"mesh.cells=[6,3]"}},
-            {"isothermal", "isothermal", {coarse}},
-            {"no_contact", "no-contact", {coarse}},
-            {"quasi_static", "quasi-static", {coarse}}};
+    return {
+        {"paper", "paper", {coarse}},
+        {"paper_isotropic", "paper-isotropic", {coarse}},
+        {"paper_crossed", "paper", {coarse, "mesh.diagonal=\"crossed\""}},
+        {"paper_quadratic", "paper-isotropic", {coarse, "space.degree=2"}},
+        {"paper_finite_limit",
+         "paper-isotropic",
+         {coarse, bottom + "conductance.limit=4.0", bottom + "conductance.coefficient=30.0"}},
+        {"paper_sharp_friction", "paper", {coarse, bottom + "friction.regularisation=1e-8"}},
+        {"paper_quadratic_law", "paper", {coarse, bottom + "compliance.exponent=2"}},
+        {"paper_vertex_rule", "paper", {coarse, bottom + "quadrature=\"vertex\""}},
+        {"anisotropic", "anisotropic", {"mesh.cells=[3,2]"}},
+        {"paper_on_a_belt",
+         "paper",
+         {coarse, bottom + "foundation_velocity=[\"0.3 - 2*x*t\",0.7]", bottom + "friction.heat_share=0.4"}},
+        {"anisotropic_with_all_heat",
+         "anisotropic",
+         {"mesh.cells=[3,2]", bottom + "foundation_velocity=[0.5,0.0]", bottom + "friction.heat_share=1",
+          "heat.strain_rate_heating=[[-0.5,0.2],[0.2,0.8]]", "boundary.left.convection.coefficient=2.5",
+          "boundary.left.convection.ambient_temperature=\"3 - y*t\""}},
+        {"elastic", "elastic", {coarse}},
+        {"frictionless", "frictionless", {coarse}},
+        {"heat_only", "heat-only", {"mesh.cells=[6,3]"}},
+        {"isothermal", "isothermal", {coarse}},
+        {"no_contact", "no-contact", {coarse}},
+        {"quasi_static", "quasi-static", {coarse}}};
 }
 
 class Step : public testing::TestWithParam<Case> {};

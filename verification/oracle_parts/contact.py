@@ -1,5 +1,6 @@
 """One contact side: its terms in the two balances, its resultants, and its laws at the nodes for output."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -74,6 +75,9 @@ class ContactSide:
         self.normal = ufl.FacetNormal(mesh)
         self.gap = Nodal(scalar_space, scene, [contact.gap], side)
         self.own: dict[str, LawOnMesh] = {}  # laws of files, by kind
+        self.belt: Nodal | None = None  # the foundation's velocity
+        if contact.foundation_velocity:
+            self.belt = Nodal(displacement_space, scene, contact.foundation_velocity, side)
         if contact.compliance:
             self._take("compliance", contact.compliance.own)
             self.stiffness = _constant(mesh, contact.compliance.stiffness)
@@ -102,6 +106,8 @@ class ContactSide:
 
     def update(self, time: float) -> None:
         self.gap.update(time)
+        if self.belt:
+            self.belt.update(time)
         if self.contact.conductance:
             self.foundation.update(time)
 
@@ -115,18 +121,22 @@ class ContactSide:
     def tangential(self, w: Any) -> Any:
         return w - ufl.dot(w, self.normal) * self.normal
 
+    def slip(self, w: Any) -> Any:
+        """The tangential velocity over the foundation."""
+        return self.tangential(w) - self.tangential(self.belt.function) if self.belt else self.tangential(w)
+
     def pressure(self, r: Any) -> Any:
         if own := self.own.get("compliance"):
             return own(r=r)
         return laws.pressure(laws.UFL, r, self.stiffness, self.exponent)
 
     def friction_stress(self, r: Any, w: Any) -> Any:
-        """-sigma_t = p_t w_t / |w_t|_epsilon."""
-        w_t = self.tangential(w)
-        norm = laws.regularised_norm(laws.UFL, ufl.dot(w_t, w_t), self.epsilon)
+        """-sigma_t = p_t s / |s|_epsilon of the slip velocity s."""
+        slip = self.slip(w)
+        norm = laws.regularised_norm(laws.UFL, ufl.dot(slip, slip), self.epsilon)
         own = self.own.get("friction")
         bound = own(p_n=self.pressure(r), speed=norm) if own else self.friction * self.pressure(r)
-        return bound * w_t / norm
+        return bound * slip / norm
 
     def heat_flow(self, r: Any, theta: Any) -> Any:
         """q.n = k_c(r) phi_L(theta - theta_F)."""
@@ -198,6 +208,17 @@ class ContactSide:
         eta = ufl.TestFunction(theta.function_space)
         return _term(self.heat_flow(self.penetration(u), theta) * eta * self.ds, theta)
 
+    def friction_heat(self, u: Any, w: Any) -> "FrictionHeat | ExactFrictionHeat | None":
+        """The heat that the body gets of what friction dissipates."""
+        law = self.contact.friction
+        if law is None or law.heat_share == 0.0:
+            return None
+        if self.exact:
+            return ExactFrictionHeat(self.exact, law.heat_share, u, w)
+        eta = ufl.TestFunction(self.scalar_space)
+        power = ufl.dot(self.friction_stress(self.penetration(u), w), self.slip(w))
+        return FrictionHeat(fem.form(_constant(self.mesh, law.heat_share) * power * eta * self.ds))
+
     # Resultants over the side
 
     def prepare_measures(self, u: Any | None, w: Any | None, theta: Any | None) -> None:
@@ -211,7 +232,7 @@ class ContactSide:
             normal = self.pressure(r)
         if self.contact.friction and not self.exact:
             friction = [self.friction_stress(r, w)[axis] for axis in range(d)]
-            speed = ufl.sqrt(ufl.dot(self.tangential(w), self.tangential(w)))
+            speed = ufl.sqrt(ufl.dot(self.slip(w), self.slip(w)))
             slip = closed * ufl.conditional(speed > self.epsilon, 1.0, 0.0)
         if self.contact.conductance:
             heat = self.heat_flow(r, theta)
@@ -273,6 +294,8 @@ class ContactSide:
         result: dict[str, Array] = {"gap": -r, "state": np.where(r < 0.0, OPEN, SLIP)}
         if w is not None:
             velocity = self._at_nodes(w)
+            if self.belt:
+                velocity = velocity - self._at_nodes(self.belt.function)
             normal_velocity = np.sum(velocity * self.normals, axis=2)
             slip = velocity - normal_velocity[:, :, None] * self.normals
             result["slip_velocity"] = slip
@@ -291,6 +314,25 @@ class ContactSide:
             above = (theta.x.array - self.foundation.function.x.array)[self.scalar_nodes]
             result["heat_flow"] = self.heat_flow_at(r, above)
         return result
+
+
+@dataclass(frozen=True)
+class FrictionHeat:
+    form: Any
+
+    def add_to(self, vector: Any) -> None:
+        fem_petsc.assemble_vector(vector, self.form)
+
+
+@dataclass(frozen=True)
+class ExactFrictionHeat:
+    friction: ExactFriction
+    share: float
+    u: Any
+    w: Any
+
+    def add_to(self, vector: Any) -> None:
+        self.friction.add_heat(vector, self.share, self.u.x.array, self.w.x.array)
 
 
 def _constant(mesh: Any, value: float) -> Any:

@@ -70,6 +70,8 @@ def _expect_finite(the_law, what, expression, at, mapping):
             return
     except (ArithmeticError, ValueError) as error:
         found = in_force.said(error)
-    values = {law_file.declared_as(constant)["key"]: mapping[constant] for constant in the_law.parameters.values()}
+    values = {
+        law_file.declared_as(constant)["key"]: mapping[constant] for constant in the_law.parameters.values()
+    }
     where = ", ".join(f"{name} = {number:g}" for name, number in {**at, **values}.items())
     raise LawError(the_law.line, f"{what} no finite number at {where}: {found}")

@@ -68,10 +68,15 @@ def generate_form(
     stub = pathlib.Path(output) / f"{file.split('.')[-1]}_{cell}_{degree}.py"
     stub.write_text(STUB.format(file=file, cell=cell, degree=degree, laws=laws))
     command = f"import sys; sys.path[:0] = {[folder, str(FORMS)]!r}; from ffcx.main import main; main()"
-    run = subprocess.run([sys.executable, "-c", command, stub.name], cwd=output, stderr=subprocess.PIPE, text=True)
+    run = subprocess.run(
+        [sys.executable, "-B", "-c", command, stub.name], cwd=output, stderr=subprocess.PIPE, text=True
+    )
     sys.stderr.write("" if laws and run.returncode else run.stderr)
     if run.returncode and laws:
-        refuse(", ".join(laws.values()), f"{file} cannot be compiled for {cell}s: {run.stderr.strip().splitlines()[-1]}")
+        refuse(
+            ", ".join(laws.values()),
+            f"{file} cannot be compiled for {cell}s: {run.stderr.strip().splitlines()[-1]}",
+        )
     run.check_returncode()
 
 
@@ -115,10 +120,10 @@ def generate_table(name: str, output: str, stems: list[str]) -> None:
 
 
 def affected(laws: dict[str, str]) -> list[str]:
-    """The form files that one of these laws enters."""
+    """The form files that one of these laws enters; no built-in law asks for what a form offers it as a lambda."""
     files = []
     for path in sorted(FORMS.glob("*.py")):
-        kinds = re.findall(r'\blaw\("(\w+)"', path.read_text())
+        kinds = re.findall(r'(?<!lambda: )\blaw\("(\w+)"', path.read_text())
         if any(kind in laws for kind in kinds) and path.stem not in ("in_force", "law", "generate"):
             files.append(path.stem)
     return files
@@ -143,7 +148,17 @@ def compile_object(stem: str, output: str) -> str:
 
     target = f"{output}/{stem}.o"
     folders = (ffcx.codegeneration.get_include_path(), FORMS.parent / "src", output)
-    run_compiler("-O3", "-DNDEBUG", "-w", "-fPIC", *(f"-I{folder}" for folder in folders), "-c", f"{output}/{stem}.c", "-o", target)
+    run_compiler(
+        "-O3",
+        "-DNDEBUG",
+        "-w",
+        "-fPIC",
+        *(f"-I{folder}" for folder in folders),
+        "-c",
+        f"{output}/{stem}.c",
+        "-o",
+        target,
+    )
     return target
 
 
@@ -184,9 +199,7 @@ def generate_built_in(output: str) -> None:
         facts = describe({path.stem: str(path)})[path.stem]
         strings = (path.stem, path.read_text(), json.dumps(facts))
         rows.append("    {" + ",\n     ".join(json.dumps(text, ensure_ascii=True) for text in strings) + "},")
-    text = LAW_TABLE.format(
-        rows="\n".join(rows), count=len(rows), versions=versions(), digest=forms_digest()
-    )
+    text = LAW_TABLE.format(rows="\n".join(rows), count=len(rows), versions=versions(), digest=forms_digest())
     write_if_new(pathlib.Path(output) / "law_table.c", text)
 
 

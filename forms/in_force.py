@@ -41,7 +41,9 @@ class Law:
         self.arguments = tuple(inspect.signature(function).parameters)
         for argument in self.arguments:
             if argument not in possible:
-                raise LawError(self.line, f"{name} takes {argument!r}; expected some of {', '.join(possible)}")
+                raise LawError(
+                    self.line, f"{name} takes {argument!r}; expected some of {', '.join(possible)}"
+                )
         self.parameters = {
             name: value for name, value in namespace.items() if law_file.declared_as(value) is not None
         }

@@ -85,4 +85,8 @@ def _admits(facts, number):
         return True
     low, high = facts["low"], facts["high"]
     above = low is None or (number > low if facts["low_open"] else number >= low)
-    return math.isfinite(number) and above and (high is None or (number < high if facts["high_open"] else number <= high))
+    return (
+        math.isfinite(number)
+        and above
+        and (high is None or (number < high if facts["high_open"] else number <= high))
+    )

@@ -71,7 +71,8 @@ Parser::Parser() {
 
     forms = app.add_subcommand("forms", "List the laws that a scene may replace, or print the file of one");
     forms->allow_extras();
-    forms->add_option("LAW", words.law, "Law whose file is printed, to start one's own from")->type_name("LAW");
+    forms->add_option("LAW", words.law, "Law whose file is printed, to start one's own from")
+        ->type_name("LAW");
 }
 
 void Parser::add_scene(CLI::App& command) {
@@ -238,8 +239,9 @@ Command command_of(const Parser& parser) {
         return VersionCommand{};
     }
     if (commands.empty()) {
-        throw SceneError("no command given; expected \"run\", \"plan\", \"check\", \"schema\" or \"forms\", or "
-                         "--help");
+        throw SceneError(
+            "no command given; expected \"run\", \"plan\", \"check\", \"schema\" or \"forms\", or "
+            "--help");
     }
     const CLI::App& command = *commands.front();
     if (const auto extras = parser.app.remaining(true); !extras.empty()) {

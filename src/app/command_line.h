@@ -48,8 +48,8 @@ struct HelpCommand {
     std::string text;
 };
 
-using Command =
-    std::variant<RunCommand, PlanCommand, CheckCommand, SchemaCommand, FormsCommand, VersionCommand, HelpCommand>;
+using Command = std::variant<RunCommand, PlanCommand, CheckCommand, SchemaCommand, FormsCommand,
+                             VersionCommand, HelpCommand>;
 
 /// Throws SceneError with one line that says what is wrong and names the nearest command or option.
 Command parse_command_line(int argc, const char* const* argv);

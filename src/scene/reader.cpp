@@ -183,7 +183,8 @@ std::map<std::string, Region> read_regions(const Settings& s, const Scene& scene
 /// The constants of the law in force, from its table below `at`.
 Law read_law(const Settings& s, const std::string& kind, const std::string& at) {
     const OwnLaw* own = s.law(kind);
-    const laws::Description description = own != nullptr ? own->description : laws::built_in_law(kind).description;
+    const laws::Description description =
+        own != nullptr ? own->description : laws::built_in_law(kind).description;
     Law law;
     law.file = own != nullptr ? own->file.path.string() : "";
     for (const laws::Parameter& parameter : description.parameters) {
@@ -209,9 +210,8 @@ std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
         contact.friction = {read_law(s, "friction", at), number(s, at + ".friction.regularisation")};
     }
     if (s.written(at + ".conductance")) {
-        contact.conductance = {
-            read_law(s, "conductance", at),
-            to_expression(s, s.value(at + ".conductance.foundation_temperature"))};
+        contact.conductance = {read_law(s, "conductance", at),
+                               to_expression(s, s.value(at + ".conductance.foundation_temperature"))};
     }
     return contact;
 }
@@ -227,7 +227,8 @@ void read_kernels(const Settings& s, Scene& scene) {
         return;
     }
     const bool tensor = scene.mesh.cell == "tensor";
-    const std::string plane = tensor ? "quadrilateral" : "triangle", solid = tensor ? "hexahedron" : "tetrahedron";
+    const std::string plane = tensor ? "quadrilateral" : "triangle",
+                      solid = tensor ? "hexahedron" : "tetrahedron";
     const std::string cell = s.body.mesh ? s.body.mesh->cell : scene.dimension == 2 ? plane : solid;
     try {
         scene.kernels = laws::kernels(files, cell, scene.degree);

@@ -152,9 +152,9 @@ struct Scene {
     std::map<std::string, Boundary> boundaries;
     SolverSpec solver;
     OutputSpec output;
-    KernelTable kernels = {};             ///< of law files: they come before the linked ones
+    KernelTable kernels = {};                      ///< of law files: they come before the linked ones
     std::map<std::string, std::string> laws = {};  ///< digest of each law file, by kind
-    nlohmann::ordered_json resolved;  ///< every key that is in force, defaults included
+    nlohmann::ordered_json resolved;               ///< every key that is in force, defaults included
 };
 
 }  // namespace thermocontact::scene

@@ -5,6 +5,7 @@ from . import (
     app,
     fem,
     forms,
+    laws,
     march,
     mesh,
     model,
@@ -21,6 +22,7 @@ from .mutation import Mutation
 MUTATIONS: tuple[Mutation, ...] = (
     *forms.SIGNS,
     *forms.OTHERS,
+    *laws.MUTATIONS,
     *scene.MUTATIONS,
     *mesh.MUTATIONS,
     *fem.MUTATIONS,

@@ -72,7 +72,11 @@ class OwnLaw:
                 sys.modules["law"] = before
 
     def declarations(self) -> list[Declared]:
-        mesh = ufl.Mesh(ufl.VectorElement("Lagrange", ufl.triangle, 1)) if hasattr(ufl, "VectorElement") else None
+        mesh = (
+            ufl.Mesh(ufl.VectorElement("Lagrange", ufl.triangle, 1))
+            if hasattr(ufl, "VectorElement")
+            else None
+        )
         return self.execute(lambda _: ufl.Constant(mesh) if mesh else ufl.as_ufl(1.0))[1]
 
 

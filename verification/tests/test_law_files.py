@@ -130,9 +130,15 @@ class LawFiles(unittest.TestCase):
             (head + hardness + "def pressure(x):\n    return c * x\n", "my_law.py:3: pressure takes 'x'"),
             (head + hardness + "def pressure():\n    return c\n", "my_law.py:3: pressure does not take r"),
             (head + hardness + "def pressure(r):\n    return c * s\n", "my_law.py:4: NameError: name 's'"),
-            (head + hardness + "def pressure(r):\n    return c\n", "my_law.py:3: pressure does not depend on r"),
             (
-                head + "from ufl import as_vector\n" + hardness + "def pressure(r):\n    return as_vector((r, c))\n",
+                head + hardness + "def pressure(r):\n    return c\n",
+                "my_law.py:3: pressure does not depend on r",
+            ),
+            (
+                head
+                + "from ufl import as_vector\n"
+                + hardness
+                + "def pressure(r):\n    return as_vector((r, c))\n",
                 "my_law.py:4: pressure is not scalar",
             ),
             (
@@ -144,7 +150,10 @@ class LawFiles(unittest.TestCase):
                 "my_law.py:3: the derivative of pressure by r is no finite number at r = 0",
             ),
             (
-                head + hardness + hardness.replace("c =", "d =") + "def pressure(r):\n    return (c + d) * r\n",
+                head
+                + hardness
+                + hardness.replace("c =", "d =")
+                + "def pressure(r):\n    return (c + d) * r\n",
                 "two parameters have the key 'hardness'",
             ),
             (head + "c = parameter('a', above=2, below=1, meaning='')\n", "my_law.py:2: ValueError"),
@@ -158,7 +167,9 @@ class LawFiles(unittest.TestCase):
         scene = self.scene("compliance", SPRING, "hardness = 1.0")
         (self.folder / "my_law.py").unlink()
         self.refused(scene, "scene.toml:3: forms.compliance: ", "my_law.py: no such file")
-        self.refused(self.scene("complaince", SPRING), 'forms.complaince: unknown key; did you mean "compliance"?')
+        self.refused(
+            self.scene("complaince", SPRING), 'forms.complaince: unknown key; did you mean "compliance"?'
+        )
         scene = self.scene("compliance", SPRING)
         scene.write_text(scene.read_text().partition("[boundary.bottom.contact]")[0])
         self.refused(scene, "forms.compliance: no boundary has [boundary.NAME.contact.compliance]")
@@ -190,7 +201,9 @@ class LawFiles(unittest.TestCase):
         keys = {entry["key"]: entry for entry in json.loads(output)}
         self.assertNotIn("boundary.NAME.contact.compliance.stiffness", keys)
         own = keys["boundary.NAME.contact.compliance.hardness"]
-        self.assertEqual((own["description"], own["range"]["low"], own["required"]), ("Stiffness.", 0.0, True))
+        self.assertEqual(
+            (own["description"], own["range"]["low"], own["required"]), ("Stiffness.", 0.0, True)
+        )
         summary = json.loads((self.run_scene(scene, "results") / "summary.json").read_text())
         resolved = summary["scene"]
         self.assertEqual(resolved["boundary"]["bottom"]["contact"]["compliance"], {"hardness": 30.0})
@@ -252,7 +265,10 @@ class LawFiles(unittest.TestCase):
         self.assertEqual(self.starts(), 2)
         alone = self.run_scene(scene, "alone")
         self.assertEqual(compare.main([str(alone), str(several), "--tolerance", "1e-9"]), 0)
-        self.refused(self.scene("compliance", SPRING.replace("return c", "return d"), "hardness = 1.0"), ":7: NameError")
+        self.refused(
+            self.scene("compliance", SPRING.replace("return c", "return d"), "hardness = 1.0"),
+            ":7: NameError",
+        )
 
     def test_what_is_missing_is_named(self) -> None:
         scene = self.scene("compliance", SPRING, "hardness = 1.0")
@@ -295,13 +311,17 @@ class LawFiles(unittest.TestCase):
                 copy.write_text((SCENES / f"{scene}.toml").read_text())
                 oracle = self.folder / f"oracle-{scene}"
                 command = [sys.executable, str(ROOT / "verification" / "oracle.py"), str(copy)]
-                subprocess.run([*command, "--quiet", "--output", str(oracle), *few], check=True, capture_output=True)
+                subprocess.run(
+                    [*command, "--quiet", "--output", str(oracle), *few], check=True, capture_output=True
+                )
                 right = self.run_scene(copy, f"right-{scene}", *few)
                 self.assertEqual(compare.main([str(right), str(oracle), "--tolerance", "1e-9"]), 0)
                 text = (laws / f"{law}.py").read_text()
                 self.assertEqual(text.count(good), 1)
                 (laws / f"{law}.py").write_text(text.replace(good, bad))
-                code, _, _ = self.call("run", copy, "--quiet", "--output", self.folder / f"wrong-{scene}", *few)
+                code, _, _ = self.call(
+                    "run", copy, "--quiet", "--output", self.folder / f"wrong-{scene}", *few
+                )
                 if code != 3:
                     self.assertEqual(code, 0)
                     wrong = str(self.folder / f"wrong-{scene}")

@@ -41,8 +41,8 @@ int execute(const app::ViewCommand& command, const parallel::Backend*) {
 }
 
 int execute(const app::SchemaCommand& command, const parallel::Backend*) {
-    std::cout << (command.scene ? scene::print_schema(
-                                      command.format, *scene::schema_of_scene(*command.scene, command.overrides))
+    std::cout << (command.scene ? scene::print_schema(command.format, *scene::schema_of_scene(
+                                                                          *command.scene, command.overrides))
                                 : scene::print_schema(command.format));
     return app::exit_completed;
 }

@@ -1,7 +1,7 @@
 """Results of the oracle, kept from run to run where THERMOCONTACT_ORACLE_RESULTS names a folder.
 
 mutate.py runs the same tests again and again with a changed driver, while the oracle's answers stay the same. Results
-are found by what they follow from: the scene with its mesh file and settings, the adaptive steps that it followed, the
+are found by what they follow from: the scene with its mesh file, law files and settings, the adaptive steps that it followed, the
 number of processes, and the oracle's own sources. Without the variable nothing is kept and nothing found.
 """
 
@@ -40,10 +40,10 @@ def keep(
 
 def _place(scene: Path, settings: Sequence[str], ranks: int, followed: Path | None) -> Path | None:
     folder = os.environ.get(VARIABLE)
-    if not folder or any(setting.startswith("mesh.file") for setting in settings):
+    if not folder or any(setting.startswith(("mesh.file", "forms")) for setting in settings):
         return None
     digest = hashlib.sha256(repr((list(settings), ranks)).encode())
-    for file in (HERE / "oracle.py", *sorted((HERE / "oracle_parts").glob("*.py")), scene, *_mesh(scene)):
+    for file in (HERE / "oracle.py", *sorted((HERE / "oracle_parts").glob("*.py")), scene, *_beside(scene)):
         digest.update(file.read_bytes())
     if followed is not None and (followed / "steps.csv").exists():
         digest.update((followed / "steps.csv").read_bytes())
@@ -51,6 +51,8 @@ def _place(scene: Path, settings: Sequence[str], ranks: int, followed: Path | No
     return Path(folder).resolve() / digest.hexdigest()[:32]
 
 
-def _mesh(scene: Path) -> list[Path]:
-    name = tomllib.loads(scene.read_text(encoding="utf-8")).get("mesh", {}).get("file")
-    return [scene.parent / name] if name else []
+def _beside(scene: Path) -> list[Path]:
+    """The files that the scene names: its mesh, its laws."""
+    tables = tomllib.loads(scene.read_text(encoding="utf-8"))
+    names = [tables.get("mesh", {}).get("file"), *tables.get("forms", {}).values()]
+    return [scene.parent / name for name in names if name]

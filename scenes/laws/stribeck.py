@@ -6,7 +6,11 @@ from ufl import exp
 mu_s = parameter("static", at_least=0, example=0.4, meaning="mu_s, the friction coefficient at rest.")
 mu_d = parameter("kinetic", at_least=0, example=0.2, meaning="mu_d, the friction coefficient of fast slip.")
 v_s = parameter(
-    "stribeck_velocity", unit="m/s", above=0, example=0.1, meaning="v_s, over which friction falls from one to the other."
+    "stribeck_velocity",
+    unit="m/s",
+    above=0,
+    example=0.1,
+    meaning="v_s, over which friction falls from one to the other.",
 )
 
 

@@ -20,7 +20,8 @@ void print(const laws::Description& law) {
     std::cout << ")\n  [" << scene::table_of_law(law.kind) << "]\n";
     for (const laws::Parameter& parameter : law.parameters) {
         const std::string unit = parameter.unit.empty() ? "" : " (" + parameter.unit + ")";
-        std::cout << "    " << std::left << std::setw(14) << parameter.key << parameter.meaning << unit << "\n";
+        std::cout << "    " << std::left << std::setw(14) << parameter.key << parameter.meaning << unit
+                  << "\n";
     }
 }
 
@@ -31,7 +32,8 @@ int forms(const FormsCommand& command) {
         std::cout << laws::built_in_law(command.law).text;
         return exit_completed;
     }
-    std::cout << "Laws that a scene may replace by a file of its own, their formula, their function with all that it "
+    std::cout << "Laws that a scene may replace by a file of its own, their formula, their function with all "
+                 "that it "
                  "may take, and their keys.\n";
     for (const std::string& kind : scene::law_kinds()) {
         std::cout << "\n";

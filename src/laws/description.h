@@ -23,11 +23,11 @@ struct Parameter {
 };
 
 struct Description {
-    std::string kind;                ///< "compliance"
-    std::string title;               ///< first line of the file's text: what the law says
-    std::string function;            ///< that the file defines: "pressure"
+    std::string kind;                   ///< "compliance"
+    std::string title;                  ///< first line of the file's text: what the law says
+    std::string function;               ///< that the file defines: "pressure"
     std::vector<std::string> possible;  ///< arguments that it may have
-    std::vector<std::string> takes;  ///< arguments of its function: "r", "p_n"
+    std::vector<std::string> takes;     ///< arguments of its function: "r", "p_n"
     std::vector<Parameter> parameters;
 
     bool depends_on(const std::string& argument) const;

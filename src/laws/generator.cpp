@@ -95,8 +95,9 @@ void generate(std::vector<std::string> words, const std::vector<LawFile>& laws, 
     if (code == law_is_wrong) {
         throw SceneError(said);
     }
-    throw SystemError("law files need a Python with FFCx and a C compiler (" + python() + " ended with exit code " +
-                      std::to_string(code) + ": " + said + "); THERMOCONTACT_PYTHON and CC name others");
+    throw SystemError("law files need a Python with FFCx and a C compiler (" + python() +
+                      " ended with exit code " + std::to_string(code) + ": " + said +
+                      "); THERMOCONTACT_PYTHON and CC name others");
 }
 
 }  // namespace
@@ -110,7 +111,8 @@ fs::path make_description(const LawFile& file, const fs::path& folder) {
     return folder / "output";
 }
 
-fs::path make_library(const std::vector<LawFile>& files, const std::string& cell, int degree, const fs::path& folder) {
+fs::path make_library(const std::vector<LawFile>& files, const std::string& cell, int degree,
+                      const fs::path& folder) {
     generate({"laws", cell, std::to_string(degree), folder.string()}, files, folder);
     return folder / "laws.so";
 }

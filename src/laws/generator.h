@@ -15,8 +15,8 @@ std::string generator_identity();
 /// Writes the JSON of forms/describe.py into the folder; returns the file.
 std::filesystem::path make_description(const LawFile& file, const std::filesystem::path& folder);
 
-/// Writes a shared library with the kernels into the folder; returns the file. Both throw SceneError "FILE:LINE:
-/// why" where a law file is at fault and SystemError where Python, FFCx or the compiler are.
+/// Writes a shared library with the kernels into the folder; returns the file. Both throw SceneError
+/// "FILE:LINE: why" where a law file is at fault and SystemError where Python, FFCx or the compiler are.
 std::filesystem::path make_library(const std::vector<LawFile>& files, const std::string& cell, int degree,
                                    const std::filesystem::path& folder);
 

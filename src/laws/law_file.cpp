@@ -65,9 +65,9 @@ Description describe(const LawFile& file) {
 
 std::span<const thermocontact_kernel> kernels(const std::vector<LawFile>& files, const std::string& cell,
                                               int degree) {
-    const std::filesystem::path file =
-        cached(key(files, cell + " " + std::to_string(degree)) + ".so",
-               [&](const std::filesystem::path& folder) { return make_library(files, cell, degree, folder); });
+    const std::filesystem::path file = cached(
+        key(files, cell + " " + std::to_string(degree)) + ".so",
+        [&](const std::filesystem::path& folder) { return make_library(files, cell, degree, folder); });
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) {
         throw SystemError(file.string() + ": cannot be loaded: " + dlerror() + "; delete it");
@@ -75,8 +75,8 @@ std::span<const thermocontact_kernel> kernels(const std::vector<LawFile>& files,
     const auto* table = static_cast<const thermocontact_kernel*>(symbol(library, "laws_kernels", file));
     const auto count = *static_cast<const int*>(symbol(library, "laws_kernel_count", file));
     const std::string made =
-        std::string(*static_cast<const char* const*>(symbol(library, "laws_kernel_versions", file))) + "; forms " +
-        *static_cast<const char* const*>(symbol(library, "laws_forms_digest", file));
+        std::string(*static_cast<const char* const*>(symbol(library, "laws_kernel_versions", file))) +
+        "; forms " + *static_cast<const char* const*>(symbol(library, "laws_forms_digest", file));
     if (made != tools()) {
         throw SystemError("compiled laws come from " + made + ", this program from " + tools() +
                           ": build it again, or name the Python that has these in THERMOCONTACT_PYTHON");

@@ -36,8 +36,9 @@ Body body_of(const Document& document) {
         return body_of_file(document, *file);
     }
     const Entry* shape = document.find("mesh.shape");
-    return shapes().at(shape == nullptr ? "rectangle"
-                                        : check_value(*schema().find("mesh.shape"), *shape, 2).get<std::string>());
+    return shapes().at(shape == nullptr
+                           ? "rectangle"
+                           : check_value(*schema().find("mesh.shape"), *shape, 2).get<std::string>());
 }
 
 }  // namespace thermocontact::scene

@@ -63,7 +63,9 @@ void insert(std::vector<Key>& keys, const Description& law) {
     }
     auto at = std::ranges::find(keys, table, &Key::table);
     if (at == keys.end()) {
-        at = std::find_if(keys.rbegin(), keys.rend(), [&](const Key& key) { return key.table() == around; }).base();
+        at = std::find_if(keys.rbegin(), keys.rend(), [&](const Key& key) {
+                 return key.table() == around;
+             }).base();
     }
     keys.insert(at, std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
 }
@@ -107,7 +109,8 @@ std::string table_of_law(const std::string& kind) {
 
 std::vector<std::string> law_kinds() {
     std::vector<std::string> kinds;
-    std::ranges::transform(places(), std::back_inserter(kinds), [](const auto& entry) { return entry.first; });
+    std::ranges::transform(places(), std::back_inserter(kinds),
+                           [](const auto& entry) { return entry.first; });
     return kinds;
 }
 

@@ -70,7 +70,8 @@ void check_laws(const Settings& settings) {
             fail_at(settings, "forms." + kind, "no boundary has [" + table_of_law(kind) + "]");
         }
     }
-    if (const OwnLaw* law = settings.law("conductance"); law != nullptr && law->description.depends_on("p_n")) {
+    if (const OwnLaw* law = settings.law("conductance");
+        law != nullptr && law->description.depends_on("p_n")) {
         for (const std::string& name : users(settings, "conductance")) {
             const std::string contact = "boundary." + name + ".contact";
             if (!settings.written(contact + ".compliance")) {
@@ -80,7 +81,8 @@ void check_laws(const Settings& settings) {
             }
         }
     }
-    if (const OwnLaw* law = settings.law("friction"); law != nullptr && law->description.depends_on("speed")) {
+    if (const OwnLaw* law = settings.law("friction");
+        law != nullptr && law->description.depends_on("speed")) {
         for (const std::string& name : users(settings, "friction")) {
             const std::string key = "boundary." + name + ".contact.friction.regularisation";
             if (settings.has(key) && settings.value(key) == 0) {

@@ -54,8 +54,8 @@ Body body_of(const Document& document);
 struct Settings {
     const Document* document = nullptr;
     Body body;
-    std::vector<OwnLaw> laws;                 ///< of files
-    std::shared_ptr<const Schema> schema;  ///< with the parameters of these
+    std::vector<OwnLaw> laws;                  ///< of files
+    std::shared_ptr<const Schema> schema;      ///< with the parameters of these
     std::vector<std::string> boundaries;       ///< written in the scene, alphabetical
     std::vector<std::string> regions;          ///< likewise
     std::map<std::string, Setting> by_name;    ///< keys in force

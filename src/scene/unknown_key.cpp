@@ -50,10 +50,13 @@ std::string near_elsewhere(const Schema& schema, const std::string& leaf, const 
         leaves.push_back(split(name).back());
     }
     const std::string found = nearest(leaf, leaves);
-    return found.empty() ? found : namesakes(schema, found, owner).empty() ? found : namesakes(schema, found, owner).front();
+    return found.empty()                             ? found
+           : namesakes(schema, found, owner).empty() ? found
+                                                     : namesakes(schema, found, owner).front();
 }
 
-std::string suggestion(const Schema& schema, const std::string& table, const std::string& leaf, const Owner& owner) {
+std::string suggestion(const Schema& schema, const std::string& table, const std::string& leaf,
+                       const Owner& owner) {
     if (const auto names = namesakes(schema, leaf, owner); !names.empty()) {
         return "; did you mean " + one_of(names) + "?";
     }
@@ -87,8 +90,8 @@ void check_known(const Entry& entry, const Schema& schema, const Body& body) {
     const auto patterns = split(pattern_of(entry.key));
     for (std::size_t n = 1; n <= parts.size(); ++n) {
         if (!is_declared(schema, join(patterns, n))) {
-            fail(entry.where,
-                 join(parts, n) + ": unknown key" + suggestion(schema, join(patterns, n - 1), parts[n - 1], owner));
+            fail(entry.where, join(parts, n) + ": unknown key" +
+                                  suggestion(schema, join(patterns, n - 1), parts[n - 1], owner));
         }
     }
     if (schema.is_table(pattern_of(entry.key)) && !entry.is_table) {

@@ -16,7 +16,8 @@ LawBounds bounds_of_laws(const std::string& name, const scene::Boundary& boundar
     bounds.own_exchange = conductance && !conductance->law.file.empty();
     if (compliance && !bounds.own_contact) {
         const double exponent = compliance->constants.at("m");
-        bounds.L_nu = exponent == 1 ? compliance->constants.at("c_n") : std::numeric_limits<double>::infinity();
+        bounds.L_nu =
+            exponent == 1 ? compliance->constants.at("c_n") : std::numeric_limits<double>::infinity();
         if (friction && friction->law.constants.at("mu") > 0) {
             bounds.L_tau = friction->law.constants.at("mu") * bounds.L_nu;
         }

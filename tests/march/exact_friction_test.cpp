@@ -53,7 +53,7 @@ TEST(ExactFriction, ABlockOnASlopeRests) {
 TEST(ExactFriction, TheLawHoldsAtEveryNode) {
     const scene::Scene scene =
         support::repository_scene("paper", {exact, "mesh.cells=[16,16]", "time.steps=16"});
-    const double mu = scene.boundaries.at("bottom").contact->friction->coefficient;
+    const double mu = scene.boundaries.at("bottom").contact->friction->law.constants.at("mu");
     Simulation simulation(scene);
     int sticking = 0, slipping = 0;
     while (!simulation.finished()) {

@@ -20,13 +20,13 @@ TEST(Override, TheLastOneCounts) {
 
 TEST(Override, MakesTablesAsNeeded) {
     const Scene scene = read(base, {"boundary.left.contact.compliance.stiffness=5"});
-    EXPECT_EQ(scene.boundaries.at("left").contact->compliance->stiffness, 5);
+    EXPECT_EQ(scene.boundaries.at("left").contact->compliance->constants.at("c_n"), 5);
     EXPECT_EQ(scene.boundaries.at("left").contact->quadrature, 4);
 }
 
 TEST(Override, ReplacesWholeTables) {
     const Scene scene = read(base, {"boundary.bottom.contact={compliance={stiffness=5}}"});
-    EXPECT_EQ(scene.boundaries.at("bottom").contact->compliance->stiffness, 5);
+    EXPECT_EQ(scene.boundaries.at("bottom").contact->compliance->constants.at("c_n"), 5);
     EXPECT_FALSE(scene.boundaries.at("bottom").contact->friction);
     EXPECT_EQ(read(base, {"time={end=3,step=1}"}).time.steps, 3);
     EXPECT_EQ(message(base, {"boundary.bottom={}"}), "");
@@ -50,7 +50,7 @@ TEST(Override, MistakesNameTheArgument) {
     EXPECT_EQ(
         message(base, {"boundary.left.contact.compliance={}"}),
         "--set boundary.left.contact.compliance={}: boundary.left.contact.compliance.stiffness: missing; "
-        "add stiffness = 1e4 to [boundary.left.contact.compliance]");
+        "add stiffness = 10000.0 to [boundary.left.contact.compliance]");
 }
 
 TEST(Override, ConflictsNameBothPlaces) {

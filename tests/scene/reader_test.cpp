@@ -61,26 +61,26 @@ TEST(Reader, Contact) {
     const Contact contact = *read(base).boundaries.at("bottom").contact;
     EXPECT_TRUE(contact.gap.is_zero());
     EXPECT_EQ(contact.quadrature, 4);
-    EXPECT_EQ(contact.compliance->stiffness, 1e4);
-    EXPECT_EQ(contact.compliance->exponent, 1);
-    EXPECT_EQ(contact.friction->coefficient, 0.2);
+    EXPECT_EQ(contact.compliance->constants.at("c_n"), 1e4);
+    EXPECT_EQ(contact.compliance->constants.at("m"), 1);
+    EXPECT_EQ(contact.friction->law.constants.at("mu"), 0.2);
     EXPECT_EQ(contact.friction->regularisation, 1e-3);
-    EXPECT_EQ(contact.conductance->coefficient, 1);
-    EXPECT_EQ(contact.conductance->onset, 1e-5);
+    EXPECT_EQ(contact.conductance->law.constants.at("k_c"), 1);
+    EXPECT_EQ(contact.conductance->law.constants.at("eps_c"), 1e-5);
     EXPECT_EQ(contact.conductance->foundation_temperature({0, 0, 0}, 0), 10);
-    EXPECT_TRUE(std::isinf(contact.conductance->limit));
+    EXPECT_TRUE(std::isinf(contact.conductance->law.constants.at("L")));
 }
 
 TEST(Reader, VertexQuadratureAndLimit) {
     const Scene scene = read(base, {"boundary.bottom.contact.quadrature=\"vertex\"",
                                     "boundary.bottom.contact.conductance.limit=5"});
     EXPECT_EQ(scene.boundaries.at("bottom").contact->quadrature, 0);
-    EXPECT_EQ(scene.boundaries.at("bottom").contact->conductance->limit, 5);
+    EXPECT_EQ(scene.boundaries.at("bottom").contact->conductance->law.constants.at("L"), 5);
 }
 
 TEST(Reader, AnInfiniteLimitIsNone) {
     const Scene scene = read(base, {"boundary.bottom.contact.conductance.limit=inf"});
-    EXPECT_TRUE(std::isinf(scene.boundaries.at("bottom").contact->conductance->limit));
+    EXPECT_TRUE(std::isinf(scene.boundaries.at("bottom").contact->conductance->law.constants.at("L")));
     EXPECT_FALSE(scene.resolved["boundary"]["bottom"]["contact"]["conductance"].contains("limit"));
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "error.h"
+#include "laws/description.h"
 #include "scene/reader.h"
 
 namespace thermocontact::scene {
@@ -46,7 +47,7 @@ $Elements
 $EndElements
 )";
 
-/// A file of the running test's own, removed with it.
+/// A file of the running test's own, removed with it; beside it a mesh, and a copy of each built-in law.
 class SceneFile {
   public:
     explicit SceneFile(const std::string& text) {
@@ -60,6 +61,9 @@ class SceneFile {
         std::filesystem::create_directories(directory_);
         std::ofstream(path(), std::ios::binary) << text;
         std::ofstream(directory_ / "part.msh", std::ios::binary) << part;
+        for (const laws::BuiltIn& law : laws::built_in_laws()) {
+            std::ofstream(directory_ / ("my_" + law.description.kind + ".py"), std::ios::binary) << law.text;
+        }
     }
     ~SceneFile() { std::filesystem::remove_all(directory_); }
     SceneFile(const SceneFile&) = delete;

@@ -31,8 +31,8 @@ void take_out(Values& values, const std::string& name) {
 
 /// Makes `name` present with examples: itself, its table's required keys and whatever these need.
 void put_in(Values& values, const std::string& pattern) {
-    const std::string table = find_key(pattern) != nullptr ? find_key(pattern)->table() : pattern;
-    for (const Key& key : schema()) {
+    const std::string table = schema().find(pattern) != nullptr ? schema().find(pattern)->table() : pattern;
+    for (const Key& key : schema().keys()) {
         const bool companion = key.table() == table && key.required && key.instead != pattern;
         if (key.name != pattern && !companion) {
             continue;
@@ -58,7 +58,7 @@ Values scene_with(const Key& key) {
                      {"material.elasticity.poisson", "0.2"},
                      {"heat.capacity", "1.0"}};
     const std::string name = instance_of(key.name, boundary);
-    for (const Key& other : schema()) {
+    for (const Key& other : schema().keys()) {
         const bool rival = other.instead == key.name || key.instead == other.name;
         if (rival) {
             take_out(values, other.name);
@@ -74,6 +74,9 @@ Values scene_with(const Key& key) {
     }
     values[name] = key.example;
     put_in(values, key.name);
+    if (name.starts_with("forms.")) {  // a law that nothing is made of is refused
+        put_in(values, table_of_law(key.leaf()));
+    }
     const bool of_contact = name.find(".contact.") != std::string::npos;
     if (of_contact && !values.contains("boundary.left.contact.conductance.onset")) {
         put_in(values, "boundary.NAME.contact.compliance");
@@ -183,15 +186,15 @@ TEST_P(EveryKey, IsDeclaredCompletely) {
     EXPECT_EQ(key.description.back(), '.');
     EXPECT_FALSE(key.required && !key.fallback.empty());
     for (const std::string& name : key.needs) {
-        EXPECT_TRUE(find_key(name) != nullptr || is_table(name)) << name;
+        EXPECT_TRUE(schema().find(name) != nullptr || schema().is_table(name)) << name;
     }
     for (const std::string& name : key.excludes) {
-        EXPECT_TRUE(find_key(name) != nullptr || is_table(name)) << name;
+        EXPECT_TRUE(schema().find(name) != nullptr || schema().is_table(name)) << name;
     }
-    EXPECT_TRUE(key.instead.empty() || find_key(key.instead) != nullptr);
+    EXPECT_TRUE(key.instead.empty() || schema().find(key.instead) != nullptr);
 }
 
-INSTANTIATE_TEST_SUITE_P(Schema, EveryKey, testing::ValuesIn(schema()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Schema, EveryKey, testing::ValuesIn(schema().keys()), [](const auto& info) {
     std::string name = info.param.name;
     std::replace(name.begin(), name.end(), '.', '_');
     return name;
@@ -232,10 +235,10 @@ TEST(Schema, UnitsAreThoseOfTheEquations) {
         {"boundary.NAME.contact.conductance.foundation_temperature", "K"},
         {"boundary.NAME.contact.conductance.limit", "K"}};
     for (const auto& [name, unit] : units) {
-        ASSERT_NE(find_key(name), nullptr) << name;
+        ASSERT_NE(schema().find(name), nullptr) << name;
     }
     const std::string_view region = "region.NAME.";
-    for (const Key& key : schema()) {
+    for (const Key& key : schema().keys()) {
         const auto known =
             units.find(key.name.starts_with(region) ? key.name.substr(region.size()) : key.name);
         if (known != units.end()) {
@@ -246,17 +249,17 @@ TEST(Schema, UnitsAreThoseOfTheEquations) {
 
 TEST(Schema, NamesAreUnique) {
     std::set<std::string> names;
-    for (const Key& key : schema()) {
+    for (const Key& key : schema().keys()) {
         EXPECT_TRUE(names.insert(key.name).second) << key.name;
-        EXPECT_FALSE(is_table(key.name)) << key.name;
+        EXPECT_FALSE(schema().is_table(key.name)) << key.name;
     }
 }
 
 TEST(Schema, JsonListsEveryKey) {
     const auto list = nlohmann::json::parse(print_schema("json"));
-    ASSERT_EQ(list.size(), schema().size());
+    ASSERT_EQ(list.size(), schema().keys().size());
     for (std::size_t i = 0; i < list.size(); ++i) {
-        EXPECT_EQ(list[i]["key"], schema()[i].name);
+        EXPECT_EQ(list[i]["key"], schema().keys()[i].name);
         for (const char* field : {"type", "unit", "default", "range", "choices", "required", "instead",
                                   "excludes", "needs", "example", "description"}) {
             EXPECT_TRUE(list[i].contains(field)) << field;
@@ -274,7 +277,7 @@ TEST(Schema, TomlIsToml) {
     for (const Entry& entry : parse_entries(text, {.source = "schema"})) {
         names.insert(entry.key);
     }
-    for (const Key& key : schema()) {
+    for (const Key& key : schema().keys()) {
         EXPECT_TRUE(names.contains(key.name)) << key.name;
         EXPECT_NE(text.find("# " + key.description + "\n"), std::string::npos);
     }
@@ -282,7 +285,7 @@ TEST(Schema, TomlIsToml) {
 
 TEST(Schema, MarkdownHasARowForEveryKey) {
     const std::string text = print_schema("markdown");
-    for (const Key& key : schema()) {
+    for (const Key& key : schema().keys()) {
         EXPECT_NE(text.find("| `" + key.leaf() + "` | "), std::string::npos);
         EXPECT_TRUE(key.table().empty() || text.find("## `[" + key.table() + "]`") != std::string::npos);
     }

@@ -6,6 +6,7 @@ from . import (
     embed,
     fem,
     forms,
+    laws,
     march,
     mesh,
     model,
@@ -22,6 +23,7 @@ from .mutation import Mutation
 MUTATIONS: tuple[Mutation, ...] = (
     *forms.SIGNS,
     *forms.OTHERS,
+    *laws.MUTATIONS,
     *scene.MUTATIONS,
     *mesh.MUTATIONS,
     *fem.MUTATIONS,

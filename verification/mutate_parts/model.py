@@ -236,12 +236,12 @@ MUTATIONS = (
         "norms of a body whose density is not uniform",
     ),
     Mutation(
-        "conductance-constants",
+        "friction-epsilon",
         "src/model/physics.cpp",
-        'constants["eps_c"] = {contact.conductance->onset};',
-        'constants["eps_c"] = {contact.conductance->coefficient};',
-        "index",
-        "the onset of conductance",
+        'constants["eps"] = {contact.friction->regularisation};',
+        'constants["eps"] = {2 * contact.friction->regularisation};',
+        "factor",
+        "the scene's epsilon",
     ),
     Mutation(
         "stress-mean",

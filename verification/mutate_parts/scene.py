@@ -124,12 +124,12 @@ MUTATIONS = (
         "a step that divides the end time",
     ),
     Mutation(
-        "reader-conductance",
+        "reader-law-limit",
         "src/scene/reader.cpp",
-        'number(s, law + ".coefficient"), number(s, law + ".onset")',
-        'number(s, law + ".onset"), number(s, law + ".coefficient")',
-        "index",
-        "coefficient and onset",
+        "std::numeric_limits<double>::infinity();",
+        "1.0;",
+        "range",
+        "what a scene leaves out has no limit",
     ),
     Mutation(
         "reader-thermal-zz",

@@ -30,8 +30,8 @@ MUTATIONS = (
     Mutation(
         "conductance-slope",
         "src/theory/law_bounds.cpp",
-        "law.coefficient / law.onset",
-        "law.coefficient * law.onset",
+        'law.at("k_c") / law.at("eps_c")',
+        'law.at("k_c") * law.at("eps_c")',
         "factor",
         "Lipschitz constant of k_c",
     ),

@@ -10,7 +10,9 @@ LawBounds bounds_of_laws(const std::string& name, const scene::Boundary& boundar
     if (!boundary.contact) {
         return bounds;
     }
-    const auto& [gap, quadrature, compliance, friction, conductance] = *boundary.contact;
+    const scene::Contact& contact = *boundary.contact;
+    const auto &compliance = contact.compliance, &friction = contact.friction,
+               &conductance = contact.conductance;
     bounds.own_contact =
         (compliance && !compliance->file.empty()) || (friction && !friction->law.file.empty());
     bounds.own_exchange = conductance && !conductance->law.file.empty();

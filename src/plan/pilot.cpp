@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "output/conditioning.h"
 #include "output/fields.h"
 #include "output/vtu.h"
 #include "stopwatch.h"
@@ -38,6 +39,12 @@ double value_of(Quantity quantity, march::Simulation& simulation) {
         area += measures.area;
     }
     return quantity == Quantity::contact_force ? force : closed / area;
+}
+
+double end_seconds(march::Simulation& simulation) {
+    const Stopwatch stopwatch;
+    static_cast<void>(output::conditions(simulation));
+    return stopwatch.seconds();
 }
 
 double frame_seconds(const scene::Scene& scene, march::Simulation& simulation) {
@@ -99,6 +106,7 @@ Pilot run_pilot(const scene::Scene& scene, const Discretisation& discretisation,
     costs.attempts = recorder.attempts();
     costs.unknowns =
         static_cast<double>(simulation.displacement_unknowns() + simulation.temperature_unknowns());
+    costs.end = end_seconds(simulation);
     costs.frame = frame_seconds(scene, simulation);
     return {discretisation, recorder.frames(), costs, recorder.damped()};
 }

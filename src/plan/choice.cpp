@@ -11,7 +11,8 @@ namespace {
 
 constexpr int most_steps = 10'000'000;
 constexpr double smallest_tolerance = 1e-9;
-constexpr int bisections = 50;
+constexpr int bisections = 24;  ///< of 9 decades: to 1e-6 of a knob
+constexpr int bisections_of_aim = 16;
 
 /// 1, 2, 4, 6, 8 and from there multiples of 4, a tenth apart: halves and quarters of them are there to be
 /// compared with.
@@ -172,7 +173,7 @@ std::optional<Option> cheapest(const Models& models, double aim, const Limits& l
 std::optional<Option> most_accurate(const Models& models, const Limits& limits) {
     double low = std::log(1e-12), high = std::log(1e3);
     std::optional<Option> best = cheapest(models, std::exp(high), limits);
-    for (int i = 0; i < bisections / 2 && best; ++i) {
+    for (int i = 0; i < bisections_of_aim && best; ++i) {
         const double middle = (low + high) / 2;
         if (const auto option = cheapest(models, std::exp(middle), limits)) {
             best = option;

@@ -17,7 +17,9 @@ constexpr double share_near_choice = 0.4;   ///< of the chosen run's time, for t
 constexpr double longest_near_choice = 20;  ///< s, for the same
 constexpr double margin_of_time = 0.8;      ///< of the budget: predictions of time err, too
 constexpr int approaches = 6;
-constexpr double offers_apart = 3.1622776601683795;  ///< half a digit
+constexpr double offers_apart = 3.1622776601683795;    ///< half a digit
+constexpr double shares_left[] = {1.0 / 4, 1.0 / 32};  ///< of the accuracy, in the pilots; the second where
+                                                       ///< the first promise nothing
 constexpr double close_enough = 1.15;  ///< what a correction changes when no further one is needed
 
 /// Of memory and time without end.
@@ -26,7 +28,7 @@ constexpr Limits no_limits{1e12, 1e15};
 }  // namespace
 
 Planner::Planner(Bench& bench, const Request& request, bool budget_counts_pilots)
-    : study_(begin_study(bench, request)), counts_pilots_(budget_counts_pilots) {}
+    : study_(begin_study(bench, request, shares_left[0])), counts_pilots_(budget_counts_pilots) {}
 
 Limits Planner::limits() const {
     const Request& request = study_.request;
@@ -54,7 +56,8 @@ void Planner::approach() {
         const double of_choice = seconds_without_output(study_.models, option->discretisation);
         const double share = std::min(share_near_choice * of_choice, longest_near_choice);
         const double spent = study_.bench->seconds() - begin;
-        if (!correct_near(study_, *option, std::max(share, 2 * pilot_allowance(study_.request)) - spent)) {
+        const double allowed = std::max(share, 2 * pilot_allowance(study_.request)) - spent;
+        if (!correct_near(study_, *option, std::min(allowed, seconds_for_pilots(study_)))) {
             return;
         }
         const double now = assess(study_.models, option->discretisation).error;
@@ -73,7 +76,7 @@ void Planner::refuse(Plan& plan) const {
     const Limits bounds = limits();
     plan.refusal = "an error of " + about(*study_.request.accuracy) + " cannot be promised: with " +
                    duration_text(bounds.seconds) + " and memory for " + about(bounds.unknowns) +
-                   " unknowns the error of " + largest_source(plan.components, *plan.best) +
+                   " unknowns the error of " + largest_source(study_.comparison.components(), *plan.best) +
                    " is what remains";
     if (const std::optional<Option> any =
             cheapest(study_.models, aim_of_accuracy * *study_.request.accuracy, no_limits)) {
@@ -95,18 +98,30 @@ void Planner::choose_all(Plan& plan) const {
     }
 }
 
-Plan Planner::make() {
-    Plan plan;
-    plan.request = study_.request;
-    plan.components = study_.comparison.components();
+void Planner::study(Plan& plan) {
     study_time(study_);
     if (study_.models.times.empty()) {
         plan.refusal = "the motions of this scene are not resolved by as many steps as pilots can take";
-    } else {
-        study_space(study_);
-        approach();
-        choose_all(plan);
+        return;
     }
+    study_space(study_);
+    approach();
+    choose_all(plan);
+}
+
+Plan Planner::make() {
+    Plan plan;
+    for (const double share : shares_left) {
+        study_ = begin_study(*study_.bench, study_.request, share);
+        plan = Plan{};
+        study(plan);
+        // coarse pilots may see less order than there is
+        if (plan.chosen || !study_.request.accuracy || study_.models.times.empty()) {
+            break;
+        }
+    }
+    plan.request = study_.request;
+    plan.components = study_.comparison.components();
     plan.models = study_.models;
     plan.remarks = study_.remarks;
     plan.pilots = study_.bench->runs();

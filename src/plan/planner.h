@@ -39,6 +39,7 @@ class Planner {
     Plan make();
 
   private:
+    void study(Plan& plan);
     void approach();
     std::optional<Option> choose(double accuracy_factor) const;
     void choose_all(Plan& plan) const;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int most_levels = 12;
 constexpr double any_time = 1e12;        ///< s
-constexpr double share_of_search = 0.2;  ///< of the time of what is asked without a grading, to look for one
-constexpr double longest_search = 10;    ///< s
+constexpr double share_of_search = 0.3;  ///< of the time of what is asked, to look for a grading
+constexpr double longest_search = 60;    ///< s
 constexpr int pilots_in_search = 20;     ///< that there is to be time for
 
 /// The stepping that all meshes are compared with.
@@ -76,14 +76,14 @@ class Meshes {
         const auto knob = [](const Discretisation& choice) { return 1.0 / choice.scale; };
         const int d = study_->bench->scene().dimension;
         const double growth = std::pow(2.0, 1.2 * d);
-        const Climb how{level,     knob, highest_orders(*study_, degree), growth, goal(study_->request),
-                        allowance_};
+        const double seconds = std::min(allowance_, seconds_for_pilots(*study_) / 4);
+        const Climb how{level, knob, highest_orders(*study_, degree), growth, study_->goal, seconds};
         const Climbed climbed = climb(*study_->bench, study_->comparison, how);
         if (climbed.pilots.empty()) {
             return;
         }
         study_->models.spaces.push_back(space_model(d, climbed.pilots, climbed.error));
-        if (climbed.error.largest_at(climbed.error.finest()) <= goal(study_->request)) {
+        if (climbed.error.largest_at(climbed.error.finest()) <= study_->goal) {
             // no need to follow what is dearer
             allowance_ = std::min(allowance_, 2 * climbed.pilots.back()->costs.processor);
         }
@@ -99,13 +99,20 @@ class Meshes {
         }
     }
 
-    /// Where what was asked takes long without: of the time, a share is spent on the search.
+    /// Where what was asked takes long without: of the time that it takes with the best so far, or of the
+    /// budget, a share is spent on the search.
     void add_graded() {
-        const Models& models = study_->models;
-        const std::optional<double> budget = study_->request.budget;
-        const double of_run = study_->request.accuracy ? price(0, models.spaces.size()) : *budget;
-        const double seconds =
-            std::min(share_of_search * std::min(of_run, budget.value_or(of_run)), longest_search);
+        const Request& request = study_->request;
+        double seconds = longest_search;
+        const auto allow = [&](double of_run) {
+            seconds = std::min(
+                {seconds, share_of_search * of_run, share_of_search * request.budget.value_or(any_time)});
+        };
+        if (request.accuracy) {
+            allow(price(0, study_->models.spaces.size()));
+        } else {
+            allow(*request.budget);
+        }
         const double begin = study_->bench->seconds();
         const double of_ladder = seconds_of_ladder();
         allowance_ = std::min(allowance_, seconds / pilots_in_search);
@@ -114,9 +121,16 @@ class Meshes {
             [&](const std::vector<scene::Grading>& grading) {
                 const std::size_t before = study_->models.spaces.size();
                 add(2, grading);
-                return price(before, study_->models.spaces.size());
+                const double found = price(before, study_->models.spaces.size());
+                if (request.accuracy) {
+                    allow(found);
+                }
+                return found;
             },
-            [&] { return study_->bench->seconds() - begin + of_ladder > seconds; });
+            [&] {
+                return study_->bench->seconds() - begin + of_ladder > seconds ||
+                       of_ladder > seconds_for_pilots(*study_);
+            });
     }
 
   private:

@@ -1,6 +1,7 @@
 #include "plan/study.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "solve/available_memory.h"
 
@@ -8,14 +9,15 @@ namespace thermocontact::plan {
 namespace {
 
 constexpr double share_of_pilot = 0.015;   ///< of the budget
+constexpr double share_of_pilots = 0.35;   ///< of the budget, for all of them
 constexpr double seconds_of_pilot = 0.5;   ///< where there is no budget
 constexpr double bytes_an_unknown = 2100;  ///< of newton-krylov, the leaner strategy (solve/forecast.h)
 
 }  // namespace
 
-Study begin_study(Bench& bench, const Request& request) {
+Study begin_study(Bench& bench, const Request& request, double goal) {
     const scene::Scene& scene = bench.scene();
-    Study study{&bench, Comparison(scene, request.of), request, {}, {}};
+    Study study{&bench, Comparison(scene, request.of), request, {}, {}, goal * request.accuracy.value_or(0)};
     study.models.sum = request.of == Quantity::norms ? Sum::squares : Sum::plain;
     study.models.refinable = !scene.mesh.file;
     study.models.frames = scene.output.fields.empty() ? 0 : frames_of(scene);
@@ -38,8 +40,9 @@ double pilot_allowance(const Request& request) {
                           : seconds_of_pilot;
 }
 
-double goal(const Request& request) {
-    return request.accuracy ? *request.accuracy / 4 : 0.0;
+double seconds_for_pilots(const Study& study) {
+    return study.request.budget ? share_of_pilots * *study.request.budget - study.bench->seconds()
+                                : std::numeric_limits<double>::infinity();
 }
 
 double most_unknowns() {

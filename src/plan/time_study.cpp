@@ -13,6 +13,7 @@ namespace thermocontact::plan {
 namespace {
 
 constexpr int most_levels = 24;
+constexpr double hurried = 24;  ///< pilots' time that has to be left for the meshes
 
 const std::vector<Stepping>& steppings() {
     // the one that damps nothing first: others may have to be judged by it
@@ -69,7 +70,7 @@ Climb climb_of(const Study& study, const Stepping& stepping, double allowance) {
                    : std::nullopt;
     };
     const std::vector<double> orders(study.comparison.components().size(), order_of(stepping));
-    return {level, time_knob, orders, 2, goal(study.request), allowance};
+    return {level, time_knob, orders, 2, study.goal, allowance};
 }
 
 }  // namespace
@@ -82,7 +83,8 @@ void study_time(Study& study) {
     for (const Stepping& stepping : steppings()) {
         // where material damps, contact starts fast motions on every mesh that only midpoint keeps
         const bool rings = !undamped && stepping.scheme == "midpoint";
-        if (rings || !study.bench->can(stepping)) {
+        const bool hurry = !study.models.times.empty() && seconds_for_pilots(study) < hurried * allowance;
+        if (rings || hurry || !study.bench->can(stepping)) {
             continue;
         }
         const Climb how = climb_of(study, stepping, allowance);
@@ -100,7 +102,7 @@ void study_time(Study& study) {
             continue;
         }
         study.models.times.push_back(time_model(stepping, climbed));
-        if (climbed.error.largest_at(climbed.error.finest()) <= goal(study.request)) {
+        if (climbed.error.largest_at(climbed.error.finest()) <= study.goal) {
             // no need to follow what is dearer
             allowance = std::min(allowance, 2 * climbed.pilots.back()->costs.processor);
         }

@@ -40,10 +40,10 @@ struct TimeModel {
 };
 
 /// s, measured: to make a run's folder, checkpoints and summary; a row of the history; the files of one
-/// output of fields, whatever their size. To write fields takes as long again as to put them into the form of
-/// their files.
-inline constexpr double seconds_of_folder = 1.4e-2, seconds_of_row = 3e-5, seconds_of_files = 1.8e-3;
-inline constexpr double writing_per_forming = 2;
+/// output of fields, whatever their size. To put fields into the form of their files and write them takes so
+/// many times what the first of that takes.
+inline constexpr double seconds_of_folder = 5e-3, seconds_of_row = 3.5e-5, seconds_of_files = 6e-4;
+inline constexpr double writing_per_forming = 1.2;
 
 struct Models {
     std::vector<SpaceModel> spaces;

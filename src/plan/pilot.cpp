@@ -12,6 +12,8 @@
 namespace thermocontact::plan {
 namespace {
 
+constexpr double long_frame = 0.02;  ///< s: one that need not be timed again
+
 double peak_pressure(march::Simulation& simulation) {
     double peak = 0;
     for (std::size_t i = 0; i < simulation.surfaces().size(); ++i) {
@@ -52,12 +54,19 @@ double frame_seconds(const scene::Scene& scene, march::Simulation& simulation) {
         return 0;
     }
     output::FieldGrids grids(scene, simulation);
-    const Stopwatch stopwatch;
-    static_cast<void>(output::to_vtu(grids.body()));
-    if (grids.has_contact()) {
-        static_cast<void>(output::to_vtu(grids.contact()));
+    double least = 0;
+    for (const bool again : {false, true}) {  // the first time takes longer, as all memory is new
+        const Stopwatch stopwatch;
+        static_cast<void>(output::to_vtu(grids.body()));
+        if (grids.has_contact()) {
+            static_cast<void>(output::to_vtu(grids.contact()));
+        }
+        least = again ? std::min(least, stopwatch.seconds()) : stopwatch.seconds();
+        if (least > long_frame) {
+            break;
+        }
     }
-    return stopwatch.seconds();
+    return least;
 }
 
 }  // namespace

@@ -1,24 +1,27 @@
 #include "plan/achieved.h"
 
 #include <algorithm>
+
 namespace thermocontact::plan {
 
 std::optional<Achieved> achieved(const Plan& plan, Bench& bench, const Pilot& run) {
     Comparison comparison(bench.scene(), plan.request.of);
-    const Option fine = *plan.chosen;
-    const Option coarse = assess(plan.models, coarser_in_time(coarser_in_space(fine.discretisation)));
-    const Pilot* pilot = bench.run(coarse.discretisation);
-    if (pilot == nullptr) {
+    const Discretisation own = plan.chosen->discretisation;
+    const Discretisation half = coarser_in_time(coarser_in_space(own));
+    const bool refinable = plan.models.refinable;
+    const bool halved = time_knob(half) != time_knob(own) && (half.scale != own.scale || !refinable);
+    const Pilot* other = bench.run(halved ? half : finer(own, refinable));
+    if (other == nullptr) {
         return std::nullopt;
     }
-    const std::vector<double> apart = comparison.difference(*pilot, run), size = comparison.size(run);
-    Achieved result{{}, 0};
+    const Pilot &coarse = halved ? *other : run, &fine = halved ? run : *other;
+    const std::vector<double> apart = comparison.difference(coarse, fine), size = comparison.size(fine);
+    const std::vector<double> foreseen = difference(plan.models, coarse.discretisation, fine.discretisation);
+    Achieved result{{}, 0, halved};
     for (std::size_t c = 0; c < size.size(); ++c) {
-        const Sum sum = plan.models.sum;
-        const double own = combined(fine.space[c], fine.time[c], sum);
-        const double more = combined(coarse.space[c] - fine.space[c], coarse.time[c] - fine.time[c], sum);
+        const double predicted = combined(plan.chosen->space[c], plan.chosen->time[c], plan.models.sum);
         const double relative = size[c] > 0 ? apart[c] / size[c] : 0.0;
-        result.errors.push_back(more > 0 ? relative * own / more : own);
+        result.errors.push_back(foreseen[c] > 0 ? relative * predicted / foreseen[c] : predicted);
     }
     result.error = *std::ranges::max_element(result.errors);
     return result;

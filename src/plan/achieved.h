@@ -9,11 +9,12 @@
 
 namespace thermocontact::plan {
 
-/// The error of a run is estimated from what it differs by from a pilot of half the cells and half the steps:
-/// the models say which share of that difference the run errs by itself.
+/// The error of a run is estimated from what it differs by from a pilot of half the cells and half the steps,
+/// or, where these cannot be halved, of twice as many: the models say what the run errs by itself, of that.
 struct Achieved {
     std::vector<double> errors;  ///< [components], relative, estimated
     double error;                ///< the largest
+    bool halved;                 ///< by a pilot of half the cells and steps, not of twice as many
 };
 
 /// Runs the pilot if the plan has not; nothing where it fails.

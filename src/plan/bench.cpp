@@ -12,9 +12,8 @@ namespace {
 constexpr double any_tolerance = 1e-3;
 
 std::string key_of(const Discretisation& choice) {
-    return describe(choice.stepping) + " " + std::to_string(choice.degree) + " " +
-           std::to_string(choice.scale) + " " + std::to_string(choice.steps) + " " +
-           exact_text(choice.tolerance);
+    return describe(choice.stepping) + " " + kind_of_mesh(choice) + " " + std::to_string(choice.scale) + " " +
+           std::to_string(choice.steps) + " " + exact_text(choice.tolerance);
 }
 
 }  // namespace
@@ -63,6 +62,10 @@ const Pilot* Bench::run(const Discretisation& discretisation) {
         }
     }
     return entry->second ? &*entry->second : nullptr;
+}
+
+bool Bench::has(const Discretisation& discretisation) const {
+    return pilots_.contains(key_of(discretisation));
 }
 
 std::vector<const Pilot*> Bench::pilots() const {

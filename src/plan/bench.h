@@ -35,6 +35,9 @@ class Bench {
     /// their addresses.
     const Pilot* run(const Discretisation& discretisation);
 
+    /// Whether it was run already.
+    bool has(const Discretisation& discretisation) const;
+
     /// All that succeeded.
     std::vector<const Pilot*> pilots() const;
 

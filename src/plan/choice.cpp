@@ -2,23 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+
+#include "number.h"
 
 namespace thermocontact::plan {
 namespace {
 
 constexpr int most_steps = 10'000'000;
 constexpr double smallest_tolerance = 1e-9;
-constexpr int bisections = 50;
-
-const SpaceModel& space_of(const Models& models, int degree) {
-    return *std::ranges::find(models.spaces, degree, &SpaceModel::degree);
-}
-
-const TimeModel& time_of(const Models& models, const Stepping& stepping) {
-    return *std::ranges::find_if(models.times, [&](const TimeModel& time) {
-        return time.stepping.scheme == stepping.scheme && time.stepping.adaptive == stepping.adaptive;
-    });
-}
+constexpr int bisections = 24;  ///< of 9 decades: to 1e-6 of a knob
+constexpr int bisections_of_aim = 16;
 
 /// 1, 2, 4, 6, 8 and from there multiples of 4, a tenth apart: halves and quarters of them are there to be
 /// compared with.
@@ -47,9 +41,11 @@ int count_from(double least) {
     return count >= least ? count : 4 * static_cast<int>(std::ceil(least / 4));
 }
 
+/// The double that these digits are read as, so that what is printed is what is run.
 double two_digits_below(double value) {
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-    return std::floor(value / unit * (1 + 1e-9)) * unit;
+    const double exponent = std::floor(std::log10(value)) - 1;
+    const double digits = std::floor(value / std::pow(10.0, exponent) * (1 + 1e-9));
+    return std::strtod((short_text(digits) + "e" + short_text(exponent)).c_str(), nullptr);
 }
 
 /// The coarsest stepping whose error beside `space` keeps to `aim`; nothing where none does.
@@ -70,7 +66,7 @@ std::optional<Discretisation> coarsest_in_time(const TimeModel& time, const std:
         const double middle = (fine + coarse) / 2;
         (error(middle) <= aim ? fine : coarse) = middle;
     }
-    Discretisation result{0, 0, time.stepping, adaptive_steps, 0};
+    Discretisation result{0, 0, time.stepping, adaptive_steps, 0, {}};
     if (time.stepping.adaptive) {
         result.tolerance = two_digits_below(std::exp(fine));
     } else {
@@ -90,6 +86,26 @@ double output_seconds(const Models& models, const SpaceModel& space, const Discr
 
 }  // namespace
 
+SpaceModel& space_of(Models& models, const Discretisation& choice) {
+    return *std::ranges::find_if(models.spaces, [&](const SpaceModel& space) {
+        return kind_of_mesh(choice) == kind_of_mesh(space.degree, space.grading);
+    });
+}
+
+TimeModel& time_of(Models& models, const Discretisation& choice) {
+    return *std::ranges::find_if(models.times, [&](const TimeModel& time) {
+        return describe(time.stepping) == describe(choice.stepping);
+    });
+}
+
+const SpaceModel& space_of(const Models& models, const Discretisation& choice) {
+    return space_of(const_cast<Models&>(models), choice);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
+const TimeModel& time_of(const Models& models, const Discretisation& choice) {
+    return time_of(const_cast<Models&>(models), choice);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+}
+
 double time_knob(const Discretisation& discretisation) {
     return discretisation.stepping.adaptive ? discretisation.tolerance : 1.0 / discretisation.steps;
 }
@@ -106,15 +122,27 @@ double total_error(const std::vector<double>& space, const std::vector<double>& 
     return largest;
 }
 
+std::vector<double> difference(const Models& models, const Discretisation& coarse,
+                               const Discretisation& fine) {
+    const std::vector<double> space =
+        space_of(models, fine).error.between(1.0 / coarse.scale, 1.0 / fine.scale);
+    const std::vector<double> time = time_of(models, fine).error.between(time_knob(coarse), time_knob(fine));
+    std::vector<double> result;
+    for (std::size_t c = 0; c < space.size(); ++c) {
+        result.push_back(combined(space[c], time[c], models.sum));
+    }
+    return result;
+}
+
 Option assess(const Models& models, const Discretisation& discretisation) {
-    const SpaceModel& space = space_of(models, discretisation.degree);
-    const TimeModel& time = time_of(models, discretisation.stepping);
+    const SpaceModel& space = space_of(models, discretisation);
+    const TimeModel& time = time_of(models, discretisation);
     const double scale = discretisation.scale, knob = time_knob(discretisation);
     Option option{discretisation, space.error.at(1 / scale), time.error.at(knob), 0, 0, 0};
     option.error = total_error(option.space, option.time, models.sum);
     option.unknowns = space.unknowns.at(scale);
     option.seconds = space.setup.at(scale) + time.factorisations.at(knob) * space.factor.at(scale) +
-                     time.attempts.at(knob) * space.step.at(scale) +
+                     time.attempts.at(knob) * space.step.at(scale) + space.end.at(scale) +
                      output_seconds(models, space, discretisation);
     return option;
 }
@@ -130,6 +158,7 @@ std::optional<Option> cheapest(const Models& models, double aim, const Limits& l
                     continue;
                 }
                 found->degree = space.degree;
+                found->grading = space.grading;
                 found->scale = scale;
                 const Option option = assess(models, *found);
                 if (option.seconds <= limits.seconds && (!best || option.seconds < best->seconds)) {
@@ -144,7 +173,7 @@ std::optional<Option> cheapest(const Models& models, double aim, const Limits& l
 std::optional<Option> most_accurate(const Models& models, const Limits& limits) {
     double low = std::log(1e-12), high = std::log(1e3);
     std::optional<Option> best = cheapest(models, std::exp(high), limits);
-    for (int i = 0; i < bisections / 2 && best; ++i) {
+    for (int i = 0; i < bisections_of_aim && best; ++i) {
         const double middle = (low + high) / 2;
         if (const auto option = cheapest(models, std::exp(middle), limits)) {
             best = option;

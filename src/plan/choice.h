@@ -19,13 +19,16 @@ double combined(double space, double time, Sum sum);
 /// The largest of both sources' combined errors.
 double total_error(const std::vector<double>& space, const std::vector<double>& time, Sum sum);
 
-/// What a mesh of one degree errs by and costs, by the scale of the mesh; the knob of the error is 1/scale.
+/// What meshes of one kind (kind_of_mesh()) err by and cost, by their scale; the knob of the error is
+/// 1/scale.
 struct SpaceModel {
     int degree;
+    std::vector<scene::Grading> grading;  ///< see Discretisation
     ErrorCurve error;
     LogCurve setup, factor, step;  ///< s: once, a factorisation of both balances, a step
     LogCurve unknowns;
-    LogCurve frame;  ///< s to write the fields once
+    LogCurve frame;  ///< s to put the fields into the form of their files once
+    LogCurve end;    ///< s: digits left, judged once at the end
 };
 
 /// What a way to step errs by, and how many steps it takes; the knob is 1/steps, or the tolerance.
@@ -37,10 +40,10 @@ struct TimeModel {
 };
 
 /// s, measured: to make a run's folder, checkpoints and summary; a row of the history; the files of one
-/// output of fields, whatever their size. To write fields takes as long again as to put them into the form of
-/// their files.
-inline constexpr double seconds_of_folder = 1.4e-2, seconds_of_row = 3e-5, seconds_of_files = 1.8e-3;
-inline constexpr double writing_per_forming = 2;
+/// output of fields, whatever their size. To put fields into the form of their files and write them takes so
+/// many times what the first of that takes.
+inline constexpr double seconds_of_folder = 5e-3, seconds_of_row = 3.5e-5, seconds_of_files = 6e-4;
+inline constexpr double writing_per_forming = 1.2;
 
 struct Models {
     std::vector<SpaceModel> spaces;
@@ -61,6 +64,17 @@ struct Option {
 struct Limits {
     double seconds, unknowns;
 };
+
+/// The model of its mesh, and of its stepping.
+const SpaceModel& space_of(const Models& models, const Discretisation& choice);
+const TimeModel& time_of(const Models& models, const Discretisation& choice);
+SpaceModel& space_of(Models& models, const Discretisation& choice);
+TimeModel& time_of(Models& models, const Discretisation& choice);
+
+/// [components], relative: what the models say that two runs on meshes of one kind, stepped in one way,
+/// differ by.
+std::vector<double> difference(const Models& models, const Discretisation& coarse,
+                               const Discretisation& fine);
 
 /// What the models say of one discretisation.
 Option assess(const Models& models, const Discretisation& discretisation);

@@ -65,7 +65,7 @@ Comparison::Comparison(const scene::Scene& scene, Quantity quantity)
     : scene_(&scene), quantity_(quantity), components_(components_of(quantity, scene)) {}
 
 const Norms& Comparison::norms_of(const Discretisation& discretisation) {
-    std::unique_ptr<Norms>& norms = norms_[{discretisation.degree, discretisation.scale}];
+    std::unique_ptr<Norms>& norms = norms_[{kind_of_mesh(discretisation), discretisation.scale}];
     if (norms == nullptr) {
         norms = std::make_unique<Norms>(discretised(*scene_, discretisation), components_);
     }
@@ -74,7 +74,8 @@ const Norms& Comparison::norms_of(const Discretisation& discretisation) {
 
 std::vector<double> Comparison::difference(const Pilot& coarse, const Pilot& fine) {
     std::vector<double> largest;
-    const bool same_mesh = coarse.discretisation.scale == fine.discretisation.scale;
+    const bool same_mesh = coarse.discretisation.scale == fine.discretisation.scale &&
+                           kind_of_mesh(coarse.discretisation) == kind_of_mesh(fine.discretisation);
     std::optional<Transfer> transfer;
     if (quantity_ == Quantity::norms && !same_mesh) {
         transfer.emplace(norms_of(coarse.discretisation).domain(), norms_of(fine.discretisation).domain());

@@ -50,7 +50,8 @@ class Comparison {
 
     const std::vector<std::string>& components() const { return components_; }
 
-    /// [components]; the mesh of `fine` is as fine as that of `coarse`, of the same degree.
+    /// [components]; the mesh of `fine` is as fine as that of `coarse`, and its degree as high. Where they
+    /// are not nested, the norms are those of the coarser function as the finer mesh interpolates it.
     std::vector<double> difference(const Pilot& coarse, const Pilot& fine);
 
     /// The largest norm or value of a run itself.
@@ -62,7 +63,7 @@ class Comparison {
     const scene::Scene* scene_;
     Quantity quantity_;
     std::vector<std::string> components_;
-    std::map<std::pair<int, int>, std::unique_ptr<Norms>> norms_;  ///< by degree and scale
+    std::map<std::pair<std::string, int>, std::unique_ptr<Norms>> norms_;  ///< by kind and scale
 };
 
 }  // namespace thermocontact::plan

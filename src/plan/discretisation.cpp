@@ -96,6 +96,10 @@ scene::Scene discretised(scene::Scene scene, const Discretisation& choice) {
     if (!scene.mesh.file) {
         scene.mesh.cells = scaled_cells(coarsest_cells(scene), scene.mesh.cells, choice.scale);
     }
+    if (!choice.grading.empty()) {
+        scene.mesh.cell = "tensor";
+        scene.mesh.grading = choice.grading;
+    }
     scene.degree = choice.degree;
     scene.time.steps = choice.steps;
     scene.time.tolerance = choice.stepping.adaptive ? std::optional(choice.tolerance) : std::nullopt;
@@ -118,6 +122,16 @@ std::vector<std::string> settings(const scene::Scene& scene, const Discretisatio
             cells += (cells.empty() ? "" : ",") + std::to_string(count);
         }
         result.push_back("mesh.cells=[" + cells + "]");
+    }
+    if (!choice.grading.empty()) {
+        result.push_back(quoted("mesh.cell", "tensor"));
+        for (std::size_t axis = 0; axis < choice.grading.size(); ++axis) {
+            const auto add = [&](const std::string& side, double ratio) {
+                result.push_back("mesh.grading." + side + "=" + scene::number_text(ratio));
+            };
+            add(side_names[2 * axis], choice.grading[axis].lower);
+            add(side_names[2 * axis + 1], choice.grading[axis].upper);
+        }
     }
     result.push_back("space.degree=" + std::to_string(choice.degree));
     const std::vector<std::string> of_time = settings(choice.stepping, choice.tolerance);
@@ -153,6 +167,37 @@ Discretisation coarser_in_time(Discretisation choice) {
         choice.steps = instants * coarser(choice.steps / instants);
     }
     return choice;
+}
+
+Discretisation finer(Discretisation choice, bool refinable) {
+    choice.scale *= refinable ? 2 : 1;
+    if (choice.stepping.adaptive) {
+        choice.tolerance /= tolerance_ratio;
+    } else {
+        choice.steps *= 2;
+    }
+    return choice;
+}
+
+std::string kind_of_mesh(int degree, const std::vector<scene::Grading>& grading) {
+    std::string result = "degree " + std::to_string(degree);
+    for (std::size_t axis = 0; axis < grading.size(); ++axis) {
+        result += (axis == 0 ? " graded " : " ") + scene::number_text(grading[axis].lower) + " " +
+                  scene::number_text(grading[axis].upper);
+    }
+    return result;
+}
+
+std::string kind_of_mesh(const Discretisation& choice) {
+    return kind_of_mesh(choice.degree, choice.grading);
+}
+
+double steepest(const std::vector<scene::Grading>& grading) {
+    double largest = 1;
+    for (const scene::Grading& axis : grading) {
+        largest = std::max({largest, axis.lower, axis.upper});
+    }
+    return largest;
 }
 
 std::string describe(const Stepping& stepping) {

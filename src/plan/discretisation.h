@@ -2,6 +2,7 @@
 /// contact's quadrature stay the scene's.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,20 @@ struct Discretisation {
     Stepping stepping;
     int steps;
     double tolerance;  ///< of adaptive steps
+    /// [d] ratios of mesh.grading, of quadrilaterals or hexahedra: these are nested when graded. Empty: the
+    /// scene's own cells, graded as it says.
+    std::vector<scene::Grading> grading = {};
 };
+
+/// What the mesh is like, whatever its number of cells: "degree 2", "degree 2 graded 16 16 1 4".
+std::string kind_of_mesh(int degree, const std::vector<scene::Grading>& grading);
+std::string kind_of_mesh(const Discretisation& choice);
+
+/// The largest ratio; 1 where the mesh is the scene's.
+double steepest(const std::vector<scene::Grading>& grading);
+
+/// Of rectangles and boxes: the lower and the upper one of each axis.
+inline constexpr std::array<const char*, 6> side_names = {"left", "right", "bottom", "top", "front", "back"};
 
 /// Steps of the scene when these are divided adaptively: the shortest part is 1/4096 of the time.
 inline constexpr int adaptive_steps = 16;
@@ -58,6 +72,9 @@ int coarser(int count);
 /// The same of the coarser mesh, and of fewer steps or the larger tolerance.
 Discretisation coarser_in_space(Discretisation choice);
 Discretisation coarser_in_time(Discretisation choice);
+
+/// Twice the cells, where the mesh can be refined, and twice the steps or a smaller tolerance.
+Discretisation finer(Discretisation choice, bool refinable);
 
 /// The tolerances of pilots, one after another.
 inline constexpr double first_tolerance = 1.0 / 16, tolerance_ratio = 8;

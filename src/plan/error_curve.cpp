@@ -9,7 +9,32 @@ namespace {
 struct Fit {
     double order;
     double difference;  ///< d
+    double cosine;      ///< c
 };
+
+/// Of the runs i, i + 1 and the finest.
+double cosine_at(const Ladder& ladder, std::size_t component, std::size_t i) {
+    const double first = ladder.steps[i][component], both = ladder.from_the_finest[i][component];
+    const double later = ladder.from_the_finest[i + 1][component];
+    const double product = 2 * first * later;
+    const double excess = both * both - first * first - later * later;
+    return product > 0 ? std::min(std::abs(excess / product), 1.0) : 1.0;
+}
+
+double cosine_of(const Ladder& ladder, std::size_t component) {
+    const std::size_t count = ladder.steps.size();
+    double largest = 0;
+    for (std::size_t i = count - std::min<std::size_t>(count, 3); i + 1 < count; ++i) {
+        largest = std::max(largest, cosine_at(ladder, component, i));
+    }
+    return largest;
+}
+
+/// e, where E is so many times that.
+double error_left(double difference, double ratio, double cosine) {
+    const double excess = ratio * ratio - 1;
+    return difference * (cosine + std::sqrt(cosine * cosine + excess)) / excess;
+}
 
 /// Of one component.
 Fit fit(const Ladder& ladder, std::size_t component, double highest) {
@@ -17,7 +42,7 @@ Fit fit(const Ladder& ladder, std::size_t component, double highest) {
     const auto difference = [&](std::size_t i) { return ladder.steps[i][component]; };
     const double last = difference(count - 1);
     if (count < 2 || last <= 0) {
-        return {last <= 0 ? highest : highest / 2, last};
+        return {last <= 0 ? highest : highest / 2, last, 1};
     }
     std::vector<double> slopes;
     for (std::size_t i = count - std::min(count, slopes_looked_at + 1); i + 1 < count; ++i) {
@@ -29,12 +54,22 @@ Fit fit(const Ladder& ladder, std::size_t component, double highest) {
     const double order = std::clamp(slopes[(slopes.size() - 1) / 2], lowest_order, highest);
     const double expected =
         difference(count - 2) * std::pow(ladder.knobs[count - 1] / ladder.knobs[count - 2], order);
-    return {order, std::max(last, expected)};
+    return {order, std::max(last, expected), cosine_of(ladder, component)};
 }
 
 }  // namespace
 
-ErrorCurve::ErrorCurve(std::size_t components) : orders_(components, 0.0), factors_(components, 0.0) {
+double error_beside(double finer, double difference, double cosine) {
+    return std::sqrt(finer * finer + difference * difference + 2 * cosine * finer * difference);
+}
+
+double difference_between(double coarser, double finer, double cosine) {
+    const double more = std::max(0.0, coarser * coarser - finer * finer);
+    return std::sqrt(cosine * cosine * finer * finer + more) - cosine * finer;
+}
+
+ErrorCurve::ErrorCurve(std::size_t components)
+    : orders_(components, 0.0), cosines_(components, 1.0), factors_(components, 0.0) {
     curves_.assign(components, LogCurve({1.0}, {0.0}, 0.0));
 }
 
@@ -42,20 +77,21 @@ ErrorCurve::ErrorCurve(const Ladder& ladder, const std::vector<double>& highest_
     : factors_(highest_orders.size(), 1.0), coarsest_(ladder.knobs.front()), finest_(ladder.knobs.back()) {
     const std::size_t last = ladder.steps.size() - 1;
     for (std::size_t c = 0; c < highest_orders.size(); ++c) {
-        const auto [order, difference] = fit(ladder, c, highest_orders[c]);
+        const auto [order, difference, cosine] = fit(ladder, c, highest_orders[c]);
         const double ratio = ladder.knobs[last] / ladder.knobs[last + 1];
         const double size = ladder.sizes[c] > 0 ? ladder.sizes[c] : 1.0;
-        const double left = difference / (std::pow(ratio, order) - 1);
+        const double left = error_left(difference, std::pow(ratio, order), cosine);
         std::vector<double> errors;
         for (const std::vector<double>& apart : ladder.from_the_finest) {
-            errors.push_back((apart[c] + left) / size);
+            errors.push_back(error_beside(left, apart[c], cosine) / size);
         }
         errors.push_back(left / size);
         for (std::size_t i = 0; i < ladder.from_reference.size(); ++i) {
-            errors[i] = (ladder.from_reference[i][c] + ladder.left_in_reference[c]) / size;
+            errors[i] = error_beside(ladder.left_in_reference[c], ladder.from_reference[i][c], cosine) / size;
         }
         curves_.emplace_back(ladder.knobs, errors, order);
         orders_.push_back(order);
+        cosines_.push_back(cosine);
     }
 }
 
@@ -63,6 +99,15 @@ std::vector<double> ErrorCurve::at(double knob) const {
     std::vector<double> result;
     for (std::size_t c = 0; c < curves_.size(); ++c) {
         result.push_back(factors_[c] * curves_[c].at(knob));
+    }
+    return result;
+}
+
+std::vector<double> ErrorCurve::between(double coarser, double finer) const {
+    const std::vector<double> large = at(coarser), small = at(finer);
+    std::vector<double> result;
+    for (std::size_t c = 0; c < cosines_.size(); ++c) {
+        result.push_back(difference_between(large[c], small[c], cosines_[c]));
     }
     return result;
 }

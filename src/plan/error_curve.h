@@ -3,11 +3,18 @@
 /// A ladder of runs is refined in one direction alone: the knob x (mesh size, step, tolerance) goes from x_0
 /// down to x_L. With d_i the difference of the runs i and i + 1, the observed order p is the median of the
 /// last slopes of log d_i over log x_i (of two the smaller), taken no higher than theory has it and no lower
-/// than `lowest_order`. The error left in the finest run is then d / ((x_{L-1}/x_L)^p - 1), with d the larger
-/// of d_{L-1} and what d_{L-2} leads one to expect: contact opens and closes point by point, and a difference
-/// may be small by chance. The error of the run i is what it differs from the finest by, and that. Beyond the
-/// finest, errors fall as x^p. Where another run is more to be trusted than the finest, errors are what the
-/// runs differ from that, and what is left in it.
+/// than `lowest_order`. The errors E and e of two runs and their difference d are sides of a triangle,
+///
+///     E^2 = e^2 + d^2 + 2 c e d,
+///
+/// where c is 1 if refinement takes off the same error again and again, as of smooth solutions, and 0 if each
+/// time another part of it, as of projections on nested spaces. Three runs show which: c is that of their
+/// three differences, the larger of two such where there are four runs (one number goes up and down: |c|).
+/// With E = (x_{L-1}/x_L)^p e the error left in the finest run follows from d, the larger of d_{L-1} and what
+/// d_{L-2} leads one to expect: contact opens and closes point by point, and a difference may be small by
+/// chance. The error of the run i follows from its difference to the finest. Beyond the finest, errors fall
+/// as x^p. Where another run is more to be trusted than the finest, errors are of the differences to that and
+/// what is left in it.
 #pragma once
 
 #include <string>
@@ -21,6 +28,12 @@ namespace thermocontact::plan {
 inline constexpr double lowest_order = 0.1;
 
 inline constexpr std::size_t slopes_looked_at = 3;
+
+/// E above, of a run that differs by `difference` from one of error `finer`.
+double error_beside(double finer, double difference, double cosine);
+
+/// d above.
+double difference_between(double coarser, double finer, double cosine);
 
 struct Ladder {
     std::vector<double> knobs;                         ///< [levels], falling
@@ -44,6 +57,9 @@ class ErrorCurve {
     /// [components], relative; errors coarser than the coarsest run's are extrapolated and worth little.
     std::vector<double> at(double knob) const;
 
+    /// [components], relative: what runs at two knobs differ by.
+    std::vector<double> between(double coarser, double finer) const;
+
     /// The largest of at().
     double largest_at(double knob) const;
 
@@ -58,7 +74,7 @@ class ErrorCurve {
 
   private:
     std::vector<LogCurve> curves_;
-    std::vector<double> orders_, factors_;
+    std::vector<double> orders_, cosines_, factors_;
     double coarsest_ = 0, finest_ = 0;
 };
 

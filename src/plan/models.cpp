@@ -36,6 +36,7 @@ void take_costs(SpaceModel& model, const std::vector<const Pilot*>& pilots, int 
         curve([](const Costs& c) { return c.factor / c.factorisations; }, d, dimension == 2 ? 3 : 6);
     model.step = curve([](const Costs& c) { return c.steps / c.attempts; }, d, dimension == 2 ? 2.4 : 4);
     model.unknowns = curve([](const Costs& c) { return c.unknowns; }, d, d);
+    model.end = curve([](const Costs& c) { return c.end; }, d, dimension == 2 ? 2.4 : 4);
     model.frame = curve([](const Costs& c) { return c.frame; }, d, d);
 }
 
@@ -54,20 +55,21 @@ TimeModel time_model(const Stepping& stepping, const Climbed& climbed) {
             LogCurve(knobs, damped, 0)};
 }
 
-SpaceModel space_model(int degree, int dimension, const std::vector<const Pilot*>& pilots, ErrorCurve error) {
-    SpaceModel model{degree, std::move(error), {}, {}, {}, {}, {}};
+SpaceModel space_model(int dimension, const std::vector<const Pilot*>& pilots, ErrorCurve error) {
+    const Discretisation& any = pilots.front()->discretisation;
+    SpaceModel model{any.degree, any.grading, std::move(error), {}, {}, {}, {}, {}, {}};
     take_costs(model, pilots, dimension);
     return model;
 }
 
 void learn_costs(Models& models, const std::vector<const Pilot*>& pilots, int dimension) {
     for (SpaceModel& model : models.spaces) {
-        std::vector<const Pilot*> of_degree;
-        std::ranges::copy_if(pilots, std::back_inserter(of_degree), [&](const Pilot* pilot) {
-            return pilot->discretisation.degree == model.degree;
+        std::vector<const Pilot*> of_kind;
+        std::ranges::copy_if(pilots, std::back_inserter(of_kind), [&](const Pilot* pilot) {
+            return kind_of_mesh(pilot->discretisation) == kind_of_mesh(model.degree, model.grading);
         });
-        if (!of_degree.empty()) {
-            take_costs(model, of_degree, dimension);
+        if (!of_kind.empty()) {
+            take_costs(model, of_kind, dimension);
         }
     }
 }

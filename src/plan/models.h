@@ -11,11 +11,11 @@ namespace thermocontact::plan {
 /// How many steps and factorisations a stepping takes, and what it errs by.
 TimeModel time_model(const Stepping& stepping, const Climbed& climbed);
 
-/// What meshes of one degree err by and cost, from pilots of several scales.
-SpaceModel space_model(int degree, int dimension, const std::vector<const Pilot*>& pilots, ErrorCurve error);
+/// What meshes of one kind err by and cost, from pilots of several scales.
+SpaceModel space_model(int dimension, const std::vector<const Pilot*>& pilots, ErrorCurve error);
 
-/// Takes the costs of the model of their degree from these pilots instead: at each scale the smallest, as
-/// what else a machine does only adds to them.
+/// Takes the costs of the model of their kind of mesh from these pilots instead: at each scale the smallest,
+/// as what else a machine does only adds to them.
 void learn_costs(Models& models, const std::vector<const Pilot*>& pilots, int dimension);
 
 }  // namespace thermocontact::plan

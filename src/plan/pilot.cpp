@@ -4,12 +4,15 @@
 #include <cmath>
 #include <ctime>
 
+#include "output/conditioning.h"
 #include "output/fields.h"
 #include "output/vtu.h"
 #include "stopwatch.h"
 
 namespace thermocontact::plan {
 namespace {
+
+constexpr double long_frame = 0.02;  ///< s: one that need not be timed again
 
 double peak_pressure(march::Simulation& simulation) {
     double peak = 0;
@@ -40,17 +43,30 @@ double value_of(Quantity quantity, march::Simulation& simulation) {
     return quantity == Quantity::contact_force ? force : closed / area;
 }
 
+double end_seconds(march::Simulation& simulation) {
+    const Stopwatch stopwatch;
+    static_cast<void>(output::conditions(simulation));
+    return stopwatch.seconds();
+}
+
 double frame_seconds(const scene::Scene& scene, march::Simulation& simulation) {
     if (scene.output.fields.empty()) {
         return 0;
     }
     output::FieldGrids grids(scene, simulation);
-    const Stopwatch stopwatch;
-    static_cast<void>(output::to_vtu(grids.body()));
-    if (grids.has_contact()) {
-        static_cast<void>(output::to_vtu(grids.contact()));
+    double least = 0;
+    for (const bool again : {false, true}) {  // the first time takes longer, as all memory is new
+        const Stopwatch stopwatch;
+        static_cast<void>(output::to_vtu(grids.body()));
+        if (grids.has_contact()) {
+            static_cast<void>(output::to_vtu(grids.contact()));
+        }
+        least = again ? std::min(least, stopwatch.seconds()) : stopwatch.seconds();
+        if (least > long_frame) {
+            break;
+        }
     }
-    return stopwatch.seconds();
+    return least;
 }
 
 }  // namespace
@@ -99,6 +115,7 @@ Pilot run_pilot(const scene::Scene& scene, const Discretisation& discretisation,
     costs.attempts = recorder.attempts();
     costs.unknowns =
         static_cast<double>(simulation.displacement_unknowns() + simulation.temperature_unknowns());
+    costs.end = end_seconds(simulation);
     costs.frame = frame_seconds(scene, simulation);
     return {discretisation, recorder.frames(), costs, recorder.damped()};
 }

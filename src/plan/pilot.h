@@ -21,6 +21,7 @@ struct Costs {
     int factorisations = 0;
     int attempts = 0;      ///< steps, and parts of adaptive ones, that were solved
     double processor = 0;  ///< s of processor time in all
+    double end = 0;        ///< s to judge the digits left
     double frame = 0;      ///< s to put the fields into the form of their files once
     double unknowns = 0;
 };

@@ -33,8 +33,8 @@ std::string stepping_text(const Discretisation& choice) {
 
 std::string offer(const Option& option) {
     return "error " + about(option.error) + " in " + duration_text(option.seconds) + ": " +
-           about(option.unknowns) + " unknowns of degree " + std::to_string(option.discretisation.degree) +
-           ", " + stepping_text(option.discretisation);
+           about(option.unknowns) + " unknowns of " + kind_of_mesh(option.discretisation) + ", " +
+           stepping_text(option.discretisation);
 }
 
 std::string errors(const Plan& plan, const Option& option) {
@@ -46,19 +46,10 @@ std::string errors(const Plan& plan, const Option& option) {
     return result;
 }
 
-const SpaceModel& space_of(const Plan& plan, const Option& option) {
-    return *std::ranges::find(plan.models.spaces, option.discretisation.degree, &SpaceModel::degree);
-}
-
-const TimeModel& time_of(const Plan& plan, const Option& option) {
-    return *std::ranges::find(plan.models.times, describe(option.discretisation.stepping),
-                              [](const TimeModel& time) { return describe(time.stepping); });
-}
-
 std::string orders(const Plan& plan, const Option& option) {
     std::string result;
-    const std::vector<double>&space = space_of(plan, option).error.orders(),
-          &time = time_of(plan, option).error.orders();
+    const std::vector<double>&space = space_of(plan.models, option.discretisation).error.orders(),
+          &time = time_of(plan.models, option.discretisation).error.orders();
     for (std::size_t c = 0; c < plan.components.size(); ++c) {
         result += (c == 0 ? "" : "; ") + plan.components[c] + " " +
                   (plan.models.refinable ? about(space[c]) + " in h, " : "") + about(time[c]) + " in " +
@@ -81,6 +72,7 @@ Json to_json(const Option& option) {
             {"seconds", option.seconds},
             {"unknowns", option.unknowns},
             {"degree", option.discretisation.degree},
+            {"mesh", kind_of_mesh(option.discretisation)},
             {"scale", option.discretisation.scale},
             {"stepping", describe(option.discretisation.stepping)},
             {"steps", option.discretisation.steps},
@@ -139,7 +131,8 @@ std::string text(const Plan& plan, const std::string& scene) {
 std::string text(const Plan& plan, double seconds, const std::optional<Achieved>& achieved) {
     std::string error = "error predicted " + about(plan.chosen->error) + ", achieved ";
     if (achieved) {
-        error += about(achieved->error) + " (estimated from a run of half the cells and steps)";
+        error += about(achieved->error) + " (estimated from a run of " +
+                 (achieved->halved ? "half" : "twice") + " the cells and steps)";
         if (plan.request.accuracy && achieved->error > *plan.request.accuracy) {
             error += ", more than was asked for";
         }

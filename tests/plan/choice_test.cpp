@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "scene/text.h"
+
 namespace thermocontact::plan {
 namespace {
 
@@ -33,8 +35,15 @@ LogCurve constant(double value) {
 Models models() {
     Models result;
     for (const int degree : {1, 2}) {
-        result.spaces.push_back({degree, falling(degree), constant(0.1), constant(0.01),
-                                 power(1e-3 * degree * degree, 2), power(100, 2), constant(0)});
+        result.spaces.push_back({degree,
+                                 {},
+                                 falling(degree),
+                                 constant(0.1),
+                                 constant(0.01),
+                                 power(1e-3 * degree * degree, 2),
+                                 power(100, 2),
+                                 constant(0),
+                                 constant(0)});
     }
     result.times.push_back(
         {{"bdf2", false}, falling(2), {{1.0, 0.5}, {1.0, 2.0}, -1}, constant(2), constant(0)});
@@ -81,6 +90,22 @@ TEST(Choice, AccountsForItsErrorAndTime) {
     EXPECT_NEAR(option.unknowns, 1600, 1e-9);
 }
 
+TEST(Choice, TellsMeshesByTheirGrading) {
+    Models all = models();
+    SpaceModel graded = all.spaces[1];
+    graded.grading = {{4, 4}, {1, 16}};
+    graded.error.correct({0.01});
+    all.spaces.push_back(graded);
+    const auto best = cheapest(all, 1e-2, no_limits);
+    ASSERT_TRUE(best);
+    EXPECT_EQ(steepest(best->discretisation.grading), 16);
+    EXPECT_NEAR(assess(all, best->discretisation).space[0], best->space[0], 1e-15);
+    Discretisation coarse = best->discretisation;
+    coarse.steps /= 2;
+    const std::vector<double> apart = difference(all, coarse, best->discretisation);
+    EXPECT_NEAR(apart[0], assess(all, coarse).time[0] - best->time[0], 1e-12);  // falling() lies on a line
+}
+
 TEST(Choice, KeepsToItsLimits) {
     const Models all = models();
     EXPECT_FALSE(cheapest(all, 1e-2, {1e-3, 1e9}));
@@ -113,6 +138,7 @@ TEST(Choice, ChoosesATolerance) {
     EXPECT_LE(best->error, 1e-2);
     EXPECT_EQ(best->discretisation.steps, adaptive_steps);
     EXPECT_GT(best->discretisation.tolerance, 0);
+    EXPECT_LE(scene::number_text(best->discretisation.tolerance).size(), 7U);  // two digits, said and run
 }
 
 }  // namespace

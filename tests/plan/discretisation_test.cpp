@@ -35,6 +35,23 @@ TEST(Discretisation, CoarserHasTheLargestProperDivisor) {
     EXPECT_EQ(coarser(1), 1);
 }
 
+TEST(Discretisation, FinerHasTwiceTheCellsAndSteps) {
+    const Discretisation fine = finer({2, 3, {"bdf2", false}, 24, 0}, true);
+    EXPECT_EQ(fine.scale, 6);
+    EXPECT_EQ(fine.steps, 48);
+    EXPECT_EQ(finer({2, 1, {"bdf2", true}, 16, 1e-3}, false).scale, 1);
+    EXPECT_LT(finer({2, 1, {"bdf2", true}, 16, 1e-3}, false).tolerance, 1e-3 / 2);
+}
+
+TEST(Discretisation, MeshesOfOneKindDifferInScaleOnly) {
+    const Discretisation choice{2, 6, {"bdf2", false}, 96, 0, {{4, 16}, {1, 64}}};
+    EXPECT_EQ(kind_of_mesh(choice), kind_of_mesh(coarser_in_space(coarser_in_time(choice))));
+    EXPECT_NE(kind_of_mesh(choice), kind_of_mesh({2, 6, {"bdf2", false}, 96, 0}));
+    EXPECT_NE(kind_of_mesh(choice), kind_of_mesh({2, 6, {"bdf2", false}, 96, 0, {{4, 16}, {64, 1}}}));
+    EXPECT_EQ(steepest(choice.grading), 64);
+    EXPECT_EQ(steepest({}), 1);
+}
+
 /// What --set is told makes the scene that the pilots had.
 void expect_same(const std::string& name, const Discretisation& choice) {
     const scene::Scene scene = support::repository_scene(name);
@@ -42,6 +59,8 @@ void expect_same(const std::string& name, const Discretisation& choice) {
     const scene::Scene made =
         discretised(support::repository_scene(name, settings(choice.stepping, choice.tolerance)), choice);
     EXPECT_EQ(again.mesh.cells, made.mesh.cells);
+    EXPECT_EQ(again.mesh.cell, made.mesh.cell);
+    EXPECT_EQ(kind_of_mesh(1, again.mesh.grading), kind_of_mesh(1, made.mesh.grading)) << name;
     EXPECT_EQ(again.degree, made.degree);
     EXPECT_EQ(again.time.steps, made.time.steps) << name << " " << choice.steps;
     EXPECT_EQ(again.time.steps, choice.steps);
@@ -55,6 +74,8 @@ TEST(Discretisation, SettingsMakeTheSameScene) {
     expect_same("paper", {1, 3, {"generalized-alpha", false}, 8, 0});
     expect_same("box", {2, 2, {"midpoint", false}, 16, 0});
     expect_same("press-fit", {1, 1, {"bdf2", true}, 16, 3.7e-5});
+    expect_same("paper", {2, 6, {"bdf2", false}, 96, 0, {{4, 16}, {1, 64}}});
+    expect_same("box", {2, 2, {"midpoint", false}, 16, 0, {{4, 16}, {1, 64}, {1, 256}}});
     for (const int steps : {24, 672, 1208, 99960}) {  // the scene says "step"
         expect_same("benchmarks/rod-impact", {1, 4, {"backward-euler", false}, steps, 0});
     }

@@ -48,6 +48,40 @@ TEST(ErrorCurve, FindsAnOrderBelowTheorysAndTheErrorLeft) {
     }
 }
 
+/// Runs whose error is x^order, each refinement taking off another part of it: differences are orthogonal.
+Ladder projections(double order, int levels) {
+    Ladder ladder = power_law(1, order, levels);
+    const auto square = [&](int level) { return std::pow(0.25, order * level); };
+    for (int level = 0; level + 1 < levels; ++level) {
+        const auto at = static_cast<std::size_t>(level);
+        ladder.steps[at] = {std::sqrt(square(level) - square(level + 1))};
+        ladder.from_the_finest[at] = {std::sqrt(square(level) - square(levels - 1))};
+    }
+    return ladder;
+}
+
+TEST(ErrorCurve, SeesThatProjectionsDifferByMoreThanTheirErrors) {
+    for (const double order : {0.5, 1.0, 1.7}) {
+        const ErrorCurve curve(projections(order, 4), {2.0});
+        EXPECT_NEAR(curve.orders()[0], order, 1e-12);
+        for (const double knob : {1.0, 0.5, 0.125, 0.01}) {
+            EXPECT_NEAR(curve.at(knob)[0], std::pow(knob, order), 1e-12) << order << " " << knob;
+        }
+        EXPECT_NEAR(curve.between(0.5, 0.25)[0], projections(order, 4).steps[1][0], 1e-12) << order;
+    }
+    const ErrorCurve straight(power_law(1, 1, 4), {2.0});
+    EXPECT_NEAR(straight.between(0.5, 0.25)[0], 0.25, 1e-12);
+}
+
+TEST(ErrorCurve, AddsErrorsAndDifferencesAsSidesOfATriangle) {
+    EXPECT_DOUBLE_EQ(error_beside(3, 4, 0), 5);
+    EXPECT_DOUBLE_EQ(error_beside(3, 4, 1), 7);
+    EXPECT_DOUBLE_EQ(difference_between(5, 3, 0), 4);
+    EXPECT_DOUBLE_EQ(difference_between(7, 3, 1), 4);
+    EXPECT_DOUBLE_EQ(difference_between(error_beside(3, 4, 0.3), 3, 0.3), 4);
+    EXPECT_DOUBLE_EQ(difference_between(3, 5, 0.5), 0);  // a coarser run that errs less: nothing is foreseen
+}
+
 TEST(ErrorCurve, TrustsNoOrderAboveTheorys) {
     const ErrorCurve curve(power_law(1, 3, 4), {1.0});
     EXPECT_DOUBLE_EQ(curve.orders()[0], 1);

@@ -2,10 +2,12 @@
 
 import json
 import os
+import shlex
 import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from benchmarking.process import ENVIRONMENT
 
@@ -57,6 +59,23 @@ class Program:
         return subprocess.run(
             [str(self.driver), command, file, *words], capture_output=True, text=True, env=environment
         )
+
+    def printed(self, scene: str, folder: Path, *words: str) -> tuple[list[str], dict[str, Any]]:
+        """The settings of the command that `plan` prints, and the summary of that command run as printed."""
+        plan = self.call("plan", scene, *words)
+        line = next((line for line in plan.stdout.splitlines() if line.startswith("run ")), None)
+        if plan.returncode != 0 or line is None:
+            raise RuntimeError(f"{scene}: exit {plan.returncode}: {plan.stdout}{plan.stderr}")
+        _, name, command, *rest = shlex.split(line)
+        assert (name, command) == ("thermocontact", "run"), line
+        environment = {**os.environ, **ENVIRONMENT}
+        subprocess.run(
+            [str(self.driver), command, *rest, "--quiet", "--output", str(folder)],
+            check=True,
+            env=environment,
+        )
+        summary: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        return [word for word in rest if "=" in word], summary
 
     def run(self, scene: str, folder: Path, settings: Settings, fields: Sequence[str]) -> None:
         words = [*settings.words, f"output.fields={json.dumps(fields)}"]

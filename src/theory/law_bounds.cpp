@@ -11,8 +11,9 @@ LawBounds bounds_of_laws(const std::string& name, const scene::Boundary& boundar
         return bounds;
     }
     const scene::Contact& contact = *boundary.contact;
-    const auto &compliance = contact.compliance, &friction = contact.friction,
-               &conductance = contact.conductance;
+    const std::optional<scene::Law>& compliance = contact.compliance;
+    const std::optional<scene::Friction>& friction = contact.friction;
+    const std::optional<scene::Conductance>& conductance = contact.conductance;
     bounds.own_contact =
         (compliance && !compliance->file.empty()) || (friction && !friction->law.file.empty());
     bounds.own_exchange = conductance && !conductance->law.file.empty();

@@ -92,7 +92,8 @@ Checkpoint take(const std::string& sealed, const scene::Scene& scene) {
     }
     std::string laws;
     file.read("/laws", laws);
-    for (const auto& [kind, law] : nlohmann::json::parse(laws).items()) {
+    const auto there = nlohmann::json::parse(laws);
+    for (const auto& [kind, law] : there.items()) {
         const auto own = scene.laws.find(kind);
         if (own != scene.laws.end() && own->second != law) {
             found.push_back("the file of forms." + kind + " says something else than it did");

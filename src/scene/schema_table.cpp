@@ -192,7 +192,7 @@ std::vector<Key> boundary_keys() {
          .range = not_negative, .required = true, .needs = {"heat"}, .example = "10.0",
          .description = "h in the heat h (theta - theta_a) that the boundary gives to its surroundings per area."},
         {.name = "boundary.NAME.convection.ambient_temperature", .type = Type::expression, .unit = "K",
-         .required = true, .needs = {"heat"}, .example = R"("20 + 5*sin(t)")",
+         .required = true, .needs = {"heat"}, .example = R"toml("20 + 5*sin(t)")toml",
          .description = "Temperature theta_a of the surroundings."},
 
         {.name = "boundary.NAME.contact.gap", .type = Type::expression, .unit = "m", .fallback = "0.0",

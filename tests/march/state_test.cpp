@@ -8,8 +8,8 @@ namespace thermocontact::march {
 namespace {
 
 TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
-    State state{3, 0.25, {1, 2}, {3, 4},   {5},      {20, 21}, 0.1, {6, 7}, {8, 9}, {10},
-                2, 5,    0.3,    {11, 12}, {13, 14}, {15},     16,  17,     18,     19};
+    State state{3,    0.25, {1, 2}, {3, 4}, {5}, {20, 21}, 0.1,      {6, 7}, {8, 9}, {10}, 0.2, 4,
+                {22}, {23}, 2,      5,      0.3, {11, 12}, {13, 14}, {15},   16,     17,   18,  19};
     std::vector<std::string> names;
     visit_members(std::as_const(state), [&](const std::string& name, const auto&) { names.push_back(name); });
     EXPECT_EQ(names, (std::vector<std::string>{"step",
@@ -22,6 +22,10 @@ TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
                                                "displacement_rate",
                                                "velocity_rate",
                                                "temperature_rate",
+                                               "even_step",
+                                               "even_steps",
+                                               "velocity_differences",
+                                               "temperature_differences",
                                                "halvings",
                                                "since_change",
                                                "curvature_lag",

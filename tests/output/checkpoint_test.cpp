@@ -43,9 +43,30 @@ class CheckpointFile : public testing::Test {
 
     static Checkpoint example() {
         Checkpoint checkpoint{"a run", {}};
-        checkpoint.snapshot.state = {
-            5,  0.625, {1, 0.1, -0.0}, {1e-300, 2, 3}, {4},  {0.3, -7}, 0.125, {5}, {6, 7}, {8}, 3,
-            -4, 0.2,   {9, 10},        {11},           {12}, 13,        14,    15,  16};
+        checkpoint.snapshot.state = {5,
+                                     0.625,
+                                     {1, 0.1, -0.0},
+                                     {1e-300, 2, 3},
+                                     {4},
+                                     {0.3, -7},
+                                     0.125,
+                                     {5},
+                                     {6, 7},
+                                     {8},
+                                     0.25,
+                                     2,
+                                     {17},
+                                     {18},
+                                     3,
+                                     -4,
+                                     0.2,
+                                     {9, 10},
+                                     {11},
+                                     {12},
+                                     13,
+                                     14,
+                                     15,
+                                     16};
         checkpoint.snapshot.totals = {17, 4,  2,     5,  6,   7,     0.25,  8,    9,
                                       10, 11, 4e-10, 12, 0.5, 1e-14, 2e-14, 3e-14};
         checkpoint.snapshot.kept = {{"momentum", {{0.125, {2, {0, 3}, {0.1, -7}}}, {0.5, {2, {1}, {3}}}}},

@@ -117,7 +117,7 @@ int run(const RunCommand& command, const parallel::Backend* backend, const RunWa
         const bool planned = watch != nullptr && simulation.finished();
         results.finish(status, reason, seconds, conditions,
                        planned ? watch->end(seconds) : nlohmann::ordered_json{});
-        if (const std::string text = output::warning(conditions, simulation->totals());
+        if (const std::string text = output::warning(conditions, simulation.totals());
             !text.empty() && speaks && !command.quiet) {
             std::cerr << "thermocontact: warning: " << text << "\n";
         }

@@ -174,6 +174,12 @@ SolveReport Balance::solve(std::vector<double>& rhs) {
     if (!finite) {
         throw StepFailure(name_ + " balance: the solution is not finite");
     }
+    const solve::NewtonResult refined =
+        timed(seconds_.triangular_solves, [&] { return problem().refine(contact_, x, *unknown_); });
+    if (refined.end != solve::NewtonEnd::converged) {
+        throw StepFailure(failure_text(name_, refined, nullptr));
+    }
+    report.add(report_of(refined));
     return report;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "march/assembler.h"
+#include "march/course.h"
 #include "parallel/together.h"
 #include "stopwatch.h"
 
@@ -112,6 +113,8 @@ void Heat::begin(const StepRule& rule, const State& state) {
     }
     extrapolate(rule.outlook(), state.temperature, state.temperature_rate, expected_);
     stage_ = expected_;
+    follow_course(rule, state, state.temperature, state.temperature_differences,
+                  balance_->prescribed().fixed(), stage_);
     new_temperature_ = state.temperature;
     parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_temperature_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
@@ -205,6 +208,9 @@ void Heat::accept(State& state, const Scheme& scheme) {
     timed(audit_seconds_, [&] { audit(); });
     renew_rates(scheme, rule_, state.temperature, new_temperature_, state.temperature_rate,
                 state.temperature_curvature);
+    if (balance_->starts_matter()) {
+        renew_course(rule_, state, state.temperature, new_temperature_, state.temperature_differences);
+    }
     std::swap(stored_, new_stored_);
     std::swap(state.temperature, new_temperature_);
 }

@@ -79,6 +79,7 @@ class Momentum {
 
     void apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
                Products& products);
+    void apply_to_new_state();
 
     /// Products of w_hat and u_hat.
     const Products& base() const { return rule_.memory() == 0 ? old_ : base_; }
@@ -111,6 +112,7 @@ class Momentum {
     std::vector<double> rhs_, deformation_;  ///< the latter: displacement less its mean
     std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< at the stage
     std::vector<double> thermal_;  ///< (theta M, eps(v)), assembled
+    double strain_square_ = 0;     ///< of the new state, |eps(u)|^2, of this process
 
     MomentumAudit audit_;
     double audit_seconds_ = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "error.h"
+#include "march/course.h"
 #include "mesh/shapes.h"
 #include "model/nodal.h"
 #include "number.h"
@@ -167,6 +168,8 @@ void Simulation::accept(const StepRule& rule, StepCounts& counts) {
     if (heat_) {
         heat_->accept(state_, scheme_);
     }
+    state_.even_steps = even_steps(rule, state_);
+    state_.even_step = rule.step;
     state_.time = rule.end;
     state_.last_step = scheme_.carries_rates() ? rule.step : 0;
     state_.curvature_lag = curvature_lag(scheme_, rule);

@@ -27,6 +27,11 @@ struct State {
     double last_step = 0;  ///< size of the step that left them, s; 0: there are none
     Nodal displacement_rate, velocity_rate, temperature_rate;
 
+    /// Where the fields are going (course.h), [nodes][components][order]; empty where no strategy asks.
+    double even_step = 0;  ///< size of the last steps, s
+    int even_steps = 0;    ///< how many were that long, up to what course.h has a use for
+    Nodal velocity_differences, temperature_differences;
+
     /// What the control of adaptive steps goes on with (step_error.h, step_control.h); unused without.
     int halvings = 0;          ///< of the scene's step, to the size that is tried next
     int since_change = 0;      ///< steps accepted at this size
@@ -42,7 +47,8 @@ template <typename AnyState, typename Visit>
 requires std::same_as<std::remove_const_t<AnyState>, State>
 void visit_members(AnyState& state, Visit&& visit) {
     auto& [step, time, displacement, velocity, temperature, friction_multiplier, last_step, displacement_rate,
-           velocity_rate, temperature_rate, halvings, since_change, curvature_lag, displacement_curvature,
+           velocity_rate, temperature_rate, even_step, even_steps, velocity_differences,
+           temperature_differences, halvings, since_change, curvature_lag, displacement_curvature,
            velocity_curvature, temperature_curvature, displacement_scale, deformation_scale, velocity_scale,
            temperature_scale] = state;
     visit("step", step);
@@ -55,6 +61,10 @@ void visit_members(AnyState& state, Visit&& visit) {
     visit("displacement_rate", displacement_rate);
     visit("velocity_rate", velocity_rate);
     visit("temperature_rate", temperature_rate);
+    visit("even_step", even_step);
+    visit("even_steps", even_steps);
+    visit("velocity_differences", velocity_differences);
+    visit("temperature_differences", temperature_differences);
     visit("halvings", halvings);
     visit("since_change", since_change);
     visit("curvature_lag", curvature_lag);

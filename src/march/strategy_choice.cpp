@@ -10,11 +10,15 @@
 namespace thermocontact::march {
 namespace {
 
+/// Numbers in both factors beyond which reading half the bytes is worth a start value's defect.
+constexpr double worth_words = 2e6;
+
 /// Both strategies, foreseen.
 struct Prospect {
     solve::Cost condensed, krylov;
     double contact_unknowns = 0;
-    bool fits = true;  ///< condensing, in memory and indices
+    solve::Storage storage = solve::Storage::doubles;  ///< of the factors
+    bool fits = true;                                  ///< condensing, in memory and indices
 };
 
 /// Two digits: it is a forecast.
@@ -31,10 +35,21 @@ std::string text(const solve::Cost& cost) {
     return gibibytes(cost.bytes) + ", " + about(cost.seconds) + " s";
 }
 
+/// What the scene asks for, or, for "auto", words where doubles would not stay in the caches.
+solve::Storage storage_of_factors(const std::string& asked, const std::vector<solve::BalanceSize>& sizes) {
+    double entries = 0;
+    for (const solve::BalanceSize& size : sizes) {
+        entries += size.factor_entries;
+    }
+    const bool large = entries > worth_words;
+    return asked == "single" || (asked == "auto" && large) ? solve::Storage::words : solve::Storage::doubles;
+}
+
 Prospect foresee(const scene::Scene& scene, const fem::NodeGraph& graph, const fem::Space& space,
                  const model::ContactSurfaces& surfaces, solve::InteriorOrders& orders, double memory) {
     Prospect result;
     result.krylov.seconds = solve::petsc_start;
+    std::vector<solve::BalanceSize> sizes;
     const auto add = [&](int components, const std::vector<char>& contact) {
         solve::BalanceSize size = solve::measure(graph, components, contact);
         const bool dense_fits = solve::can_condense(size) && solve::condensed_cost(size, 0).bytes <= memory;
@@ -42,15 +57,19 @@ Prospect foresee(const scene::Scene& scene, const fem::NodeGraph& graph, const f
             size = solve::measure(graph, components, contact, orders.without(contact));
         }
         result.fits = result.fits && dense_fits && solve::can_condense(size);
-        result.contact_unknowns += size.contact_unknowns;
-        result.condensed += solve::condensed_cost(size, scene.time.steps);
-        result.krylov += solve::newton_krylov_cost(size, scene.time.steps);
+        sizes.push_back(size);
     };
     if (scene.material) {
         add(scene.dimension, model::nodes_with(surfaces, space, &scene::Contact::compliance));
     }
     if (scene.heat) {
         add(1, model::nodes_with(surfaces, space, &scene::Contact::conductance));
+    }
+    result.storage = storage_of_factors(scene.solver.factor, sizes);
+    for (const solve::BalanceSize& size : sizes) {
+        result.contact_unknowns += size.contact_unknowns;
+        result.condensed += solve::condensed_cost(size, scene.time.steps, solve::bytes_of(result.storage));
+        result.krylov += solve::newton_krylov_cost(size, scene.time.steps);
     }
     result.fits = result.fits && result.condensed.bytes <= memory;
     return result;
@@ -91,7 +110,8 @@ StrategyChoice choose_strategy(const scene::Scene& scene, const fem::NodeGraph& 
                               gibibytes(memory) +
                               " are available; expected \"newton-krylov\" or \"auto\", or a coarser mesh");
         }
-        return {std::make_unique<solve::Condensed>(std::move(orders)), "asked for; " + contact};
+        return {std::make_unique<solve::Condensed>(std::move(orders), prospect.storage),
+                "asked for; " + contact};
     }
     const std::string compared = contact + "; foreseen: condensed " +
                                  (prospect.fits ? text(prospect.condensed) : "does not fit in memory") +
@@ -99,7 +119,7 @@ StrategyChoice choose_strategy(const scene::Scene& scene, const fem::NodeGraph& 
     if (!prospect.fits || prospect.krylov.seconds < prospect.condensed.seconds) {
         return newton_krylov(part, backend, compared);
     }
-    return {std::make_unique<solve::Condensed>(std::move(orders)), compared};
+    return {std::make_unique<solve::Condensed>(std::move(orders), prospect.storage), compared};
 }
 
 }  // namespace thermocontact::march

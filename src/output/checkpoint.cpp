@@ -53,6 +53,7 @@ void write_kept(Hdf5Writer& file, const std::string& at, const march::KeptSystem
     file.write(at + "/unknowns", kept.derivative.unknowns);
     file.write(at + "/entries", kept.derivative.entries);
     file.write(at + "/values", kept.derivative.values);
+    file.write(at + "/in_doubles", std::int64_t{kept.derivative.in_doubles ? 1 : 0});
 }
 
 march::KeptSystem read_kept(const Hdf5Reader& file, const std::string& at) {
@@ -62,6 +63,9 @@ march::KeptSystem read_kept(const Hdf5Reader& file, const std::string& at) {
     file.read(at + "/unknowns", derivative.unknowns);
     file.read(at + "/entries", derivative.entries);
     file.read(at + "/values", derivative.values);
+    int in_doubles = 0;
+    file.read(at + "/in_doubles", in_doubles);
+    derivative.in_doubles = in_doubles != 0;
     const std::int64_t size = derivative.unknowns * derivative.unknowns;
     const auto outside = [&](std::int64_t entry) { return entry < 0 || entry >= size; };
     if (derivative.entries.size() != derivative.values.size() ||

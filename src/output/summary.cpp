@@ -31,6 +31,20 @@ Json final_state(march::Simulation& simulation) {
     return result;
 }
 
+/// Of each balance that has one.
+Json factors(march::Simulation& simulation) {
+    Json result = Json::object();
+    for (const march::Balance* balance : simulation.balances()) {
+        if (balance->factor_entries() > 0) {
+            const solve::FactorUse use = balance->factor_use();
+            result[balance->name()] = {{"numbers", use.single ? "single" : "double"},
+                                       {"why", use.too_coarse ? "single was too coarse" : ""},
+                                       {"corrections", use.corrections}};
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 std::string version_text() {
@@ -58,6 +72,7 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                         {"processes", simulation.team().size()},
                         {"factor_entries", simulation.factor_entries()},
                         {"contact_unknowns", simulation.contact_unknowns()}};
+    result["solver"]["factors"] = factors(simulation);
     result["steps"] = simulation.state().step;
     if (simulation.first_step() > 0) {
         result["restarted_after_step"] = simulation.first_step();

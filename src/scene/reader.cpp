@@ -283,7 +283,7 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
         scene.boundaries.emplace(name, read_boundary(s, name));
     }
     scene.solver = {text(s, "solver.strategy"), number(s, "solver.tolerance"),
-                    integer(s, "solver.max_iterations")};
+                    integer(s, "solver.max_iterations"), text(s, "solver.factor")};
     scene.output = {integer(s, "output.every"), s.value("output.fields").get<std::vector<std::string>>()};
     if (s.has("output.checkpoint_every")) {
         scene.output.checkpoint_every = integer(s, "output.checkpoint_every");

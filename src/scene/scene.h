@@ -126,6 +126,7 @@ struct SolverSpec {
     std::string strategy;  ///< "auto" | "condensed" | "newton-krylov"
     double tolerance;      ///< relative, of each nonlinear solve
     int max_iterations;    ///< of one Newton solve
+    std::string factor;    ///< "auto" | "double" | "single"
 };
 
 struct OutputSpec {

@@ -1,120 +1,192 @@
 #include "solve/column_group.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "prefetch.h"
 
 namespace thermocontact::solve {
 namespace {
 
-constexpr std::ptrdiff_t prefetch_reach = 8192;  ///< bytes
+using Word = std::int32_t;
 
-/// Numbers that the triangle takes: whole cache lines.
-constexpr std::int64_t triangle(std::int32_t width) {
-    return (width * width + chunk - 1) / chunk * chunk;
+constexpr std::ptrdiff_t prefetch_reach = 8192;  ///< bytes
+constexpr std::size_t line = 64;                 ///< bytes
+
+/// Bytes of what precedes the chunks, whole cache lines: the triangle and, for words, what each column's are
+/// multiples of.
+template <typename Number>
+constexpr std::size_t head_bytes(std::int32_t width) {
+    const auto w = static_cast<std::size_t>(width);
+    const std::size_t units = std::is_same_v<Number, Word> ? w : 0;
+    return ((w * w + units) * sizeof(double) + line - 1) / line * line;
 }
 
-/// What one chunk takes, bytes.
-template <int width>
-constexpr std::size_t chunk_bytes = width* chunk * sizeof(double);
+/// What one chunk takes.
+template <typename Number, int width>
+constexpr std::size_t chunk_bytes = width* chunk * sizeof(Number);
 
-template <int width>
-void solve(const double* __restrict L, std::int32_t rows, double* __restrict x) {
-    for (int c = 0; c < width; ++c) {
-        x[c] *= L[c * width + c];
-        for (int r = c + 1; r < width; ++r) {
-            x[r] -= L[c * width + r] * x[c];
+/// A stored group: doubles, and then the chunks.
+template <typename Number, int width>
+struct Group {
+    const double* triangle;
+    const double* units;
+    const Number* below;
+
+    explicit Group(const std::byte* L)
+        : triangle(reinterpret_cast<const double*>(L)),
+          units(triangle + width * width),
+          below(reinterpret_cast<const Number*>(L + head_bytes<Number>(width))) {}
+
+    double unit(int column) const {
+        if constexpr (std::is_same_v<Number, Word>) {
+            return units[column];
+        } else {
+            return 1.0;
         }
     }
-    double pivots[width];
-    std::copy_n(x, width, pivots);
-    const double* below = L + triangle(width);
-    const char* ahead = reinterpret_cast<const char*>(L) + prefetch_reach;
-    for (std::int32_t r = width; r < rows; r += chunk, below += width * chunk, ahead += chunk_bytes<width>) {
-        prefetch<chunk_bytes<width>>(ahead);
+};
+
+template <typename Number, int width>
+void solve(const std::byte* L, std::int32_t rows, double* __restrict x) {
+    const Group<Number, width> group(L);
+    double factors[width];
+    for (int c = 0; c < width; ++c) {
+        x[c] *= group.triangle[c * width + c];
+        for (int r = c + 1; r < width; ++r) {
+            x[r] -= group.triangle[c * width + r] * x[c];
+        }
+        factors[c] = x[c] * group.unit(c);
+    }
+    const Number* __restrict below = group.below;
+    const std::byte* ahead = L + prefetch_reach;
+    for (std::int32_t r = width; r < rows;
+         r += chunk, below += width * chunk, ahead += chunk_bytes<Number, width>) {
+        prefetch<chunk_bytes<Number, width>>(ahead);
 #pragma omp simd
         for (int i = 0; i < chunk; ++i) {
             double sum = 0;
             for (int c = 0; c < width; ++c) {
-                sum += below[c * chunk + i] * pivots[c];
+                sum += static_cast<double>(below[c * chunk + i]) * factors[c];
             }
             x[r + i] -= sum;
         }
     }
 }
 
-template <int width>
-void solve_transposed(const double* __restrict L, std::int32_t rows, double* __restrict x) {
+template <typename Number, int width>
+void solve_transposed(const std::byte* L, std::int32_t rows, double* __restrict x) {
+    const Group<Number, width> group(L);
     double sums[width][chunk] = {};
-    const double* below = L + triangle(width);
-    const char* ahead = reinterpret_cast<const char*>(L) - prefetch_reach;
-    for (std::int32_t r = width; r < rows; r += chunk, below += width * chunk, ahead += chunk_bytes<width>) {
-        prefetch<chunk_bytes<width>>(ahead);
+    const Number* __restrict below = group.below;
+    const std::byte* ahead = L - prefetch_reach;
+    for (std::int32_t r = width; r < rows;
+         r += chunk, below += width * chunk, ahead += chunk_bytes<Number, width>) {
+        prefetch<chunk_bytes<Number, width>>(ahead);
         for (int c = 0; c < width; ++c) {
 #pragma omp simd
             for (int i = 0; i < chunk; ++i) {
-                sums[c][i] += below[c * chunk + i] * x[r + i];
+                sums[c][i] += static_cast<double>(below[c * chunk + i]) * x[r + i];
             }
         }
     }
     for (int c = width - 1; c >= 0; --c) {
         for (int i = 0; i < chunk; ++i) {
-            x[c] -= sums[c][i];
+            x[c] -= group.unit(c) * sums[c][i];
         }
         for (int r = c + 1; r < width; ++r) {
-            x[c] -= L[c * width + r] * x[r];
+            x[c] -= group.triangle[c * width + r] * x[r];
         }
-        x[c] *= L[c * width + c];
+        x[c] *= group.triangle[c * width + c];
     }
 }
 
-/// Calls function.operator()<width>().
-template <typename Function>
-void with_width(std::int32_t width, Function&& function) {
-    switch (width) {
-        case 1:
-            return function.template operator()<1>();
-        case 2:
-            return function.template operator()<2>();
-        case 3:
-            return function.template operator()<3>();
-        case group:
-            return function.template operator()<group>();
-        default:
-            throw std::logic_error("columns of a group");
+/// Writes `count` numbers, the i-th at place(i).
+template <typename Number, typename Place>
+double store_column(const double* numbers, std::int32_t count, Number* below, Place&& place) {
+    double unit = 1;
+    if constexpr (std::is_same_v<Number, Word>) {
+        double largest = 0;
+        for (std::int32_t i = 0; i < count; ++i) {
+            largest = std::max(largest, std::abs(numbers[i]));
+        }
+        unit = largest / std::numeric_limits<Word>::max();
     }
+    for (std::int32_t i = 0; i < count; ++i) {
+        if constexpr (std::is_same_v<Number, Word>) {
+            below[place(i)] = unit > 0 ? static_cast<Word>(std::lrint(numbers[i] / unit)) : 0;
+        } else {
+            below[place(i)] = numbers[i];
+        }
+    }
+    return unit;
+}
+
+template <typename Number, int width>
+void store(const double* columns, std::int64_t leading, std::int32_t rows, std::byte* L) {
+    auto* triangle = reinterpret_cast<double*>(L);
+    auto* below = reinterpret_cast<Number*>(L + head_bytes<Number>(width));
+    for (int c = 0; c < width; ++c) {
+        const double* column = columns + c * leading;
+        std::copy_n(column + c, width - c, triangle + c * width + c);
+        triangle[c * width + c] = 1 / triangle[c * width + c];
+        const double unit = store_column(column + width, rows - width, below, [c](std::int32_t i) {
+            return (i / chunk * width + c) * chunk + i % chunk;
+        });
+        if constexpr (std::is_same_v<Number, Word>) {
+            triangle[width * width + c] = unit;
+        }
+    }
+}
+
+/// Calls function.operator()<Number, width>().
+template <typename Function>
+void with(Storage storage, std::int32_t width, Function&& function) {
+    const auto of_width = [&]<typename Number>(Number) {
+        switch (width) {
+            case 1:
+                return function.template operator()<Number, 1>();
+            case 2:
+                return function.template operator()<Number, 2>();
+            case 3:
+                return function.template operator()<Number, 3>();
+            case group:
+                return function.template operator()<Number, group>();
+            default:
+                throw std::logic_error("columns of a group");
+        }
+    };
+    storage == Storage::words ? of_width(Word{}) : of_width(double{});
 }
 
 }  // namespace
 
-std::int64_t group_size(std::int32_t width, std::int32_t rows) {
+std::int64_t group_bytes(Storage storage, std::int32_t width, std::int32_t rows) {
+    const bool words = storage == Storage::words;
     const std::int64_t chunks = (rows - width + chunk - 1) / chunk;
-    return triangle(width) + chunks * chunk * width;
+    const std::size_t head = words ? head_bytes<Word>(width) : head_bytes<double>(width);
+    const std::size_t number = words ? sizeof(Word) : sizeof(double);
+    return static_cast<std::int64_t>(head) + chunks * chunk * width * static_cast<std::int64_t>(number);
 }
 
-void store_group(const double* columns, std::int64_t leading, std::int32_t width, std::int32_t rows,
-                 double* L) {
-    std::fill_n(L, group_size(width, rows), 0.0);
-    double* below = L + triangle(width);
-    for (std::int32_t c = 0; c < width; ++c) {
-        const double* column = columns + c * leading;
-        std::copy_n(column + c, width - c, L + c * width + c);
-        L[c * width + c] = 1 / L[c * width + c];
-        for (std::int32_t r = width; r < rows; ++r) {
-            const std::int32_t i = r - width;
-            below[(i / chunk * width + c) * chunk + i % chunk] = column[r];
-        }
-    }
+void store_group(Storage storage, const double* columns, std::int64_t leading, std::int32_t width,
+                 std::int32_t rows, std::byte* L) {
+    std::fill_n(L, group_bytes(storage, width, rows), std::byte{0});
+    with(storage, width,
+         [&]<typename Number, int count>() { store<Number, count>(columns, leading, rows, L); });
 }
 
-void solve_group(const double* L, std::int32_t width, std::int32_t rows, double* x) {
-    with_width(width, [&]<int columns>() { solve<columns>(L, rows, x); });
+void solve_group(Storage storage, const std::byte* L, std::int32_t width, std::int32_t rows, double* x) {
+    with(storage, width, [&]<typename Number, int columns>() { solve<Number, columns>(L, rows, x); });
 }
 
-void solve_group_transposed(const double* L, std::int32_t width, std::int32_t rows, double* x) {
-    with_width(width, [&]<int columns>() { solve_transposed<columns>(L, rows, x); });
+void solve_group_transposed(Storage storage, const std::byte* L, std::int32_t width, std::int32_t rows,
+                            double* x) {
+    with(storage, width,
+         [&]<typename Number, int columns>() { solve_transposed<Number, columns>(L, rows, x); });
 }
 
 }  // namespace thermocontact::solve

@@ -3,8 +3,13 @@
 /// A group holds its triangle [column][row], with the reciprocals of the diagonal, and below it chunks of
 /// eight rows [chunk][column][row], the last one filled up with zeros: a pass reads one chunk after the
 /// other, each column of it with one aligned load, and has no remainders.
+///
+/// What lies below the triangle is stored as doubles or as words of 32 bits, a column's largest magnitude
+/// being 2^31 - 1: half the bytes, and each number to 2^-32 of that magnitude. Single precision (24 bits)
+/// would take as many bytes and be off by up to 2^-24 of each number, 250 times as much where it counts.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace thermocontact::solve {
@@ -12,18 +17,27 @@ namespace thermocontact::solve {
 constexpr std::int32_t group = 4;  ///< columns of a group; the last one of a panel may have less
 constexpr std::int32_t chunk = 8;  ///< rows of a chunk: a cache line of each column
 
-/// Numbers stored for `width` columns of `rows` numbers, of which the first `width` rows are the triangle.
-std::int64_t group_size(std::int32_t width, std::int32_t rows);
+/// Below the triangle.
+enum class Storage { doubles, words };
+
+constexpr double bytes_of(Storage storage) {
+    return storage == Storage::words ? sizeof(std::int32_t) : sizeof(double);
+}
+
+/// Bytes stored for `width` columns of `rows` numbers, of which the first `width` rows are the triangle:
+/// whole cache lines, or halves of them.
+std::int64_t group_bytes(Storage storage, std::int32_t width, std::int32_t rows);
 
 /// Writes such a group; column c begins at columns + c * leading with its row 0.
-void store_group(const double* columns, std::int64_t leading, std::int32_t width, std::int32_t rows,
-                 double* L);
+void store_group(Storage storage, const double* columns, std::int64_t leading, std::int32_t width,
+                 std::int32_t rows, std::byte* L);
 
 /// Solves L x = x for the triangle and subtracts from what lies below. `x` [rows] must be followed by room
 /// for another chunk, which is overwritten.
-void solve_group(const double* L, std::int32_t width, std::int32_t rows, double* x);
+void solve_group(Storage storage, const std::byte* L, std::int32_t width, std::int32_t rows, double* x);
 
 /// The transposed counterpart of solve_group: the chunk after `x` must hold finite numbers.
-void solve_group_transposed(const double* L, std::int32_t width, std::int32_t rows, double* x);
+void solve_group_transposed(Storage storage, const std::byte* L, std::int32_t width, std::int32_t rows,
+                            double* x);
 
 }  // namespace thermocontact::solve

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace thermocontact::solve {
 namespace {
@@ -11,15 +12,64 @@ bool all_finite(const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
+/// Backward error (refinement.h) that may be left: what Newton's method is asked for on the contact unknowns,
+/// but not less than what rounding leaves of a defect (up to 243 terms a row in space, whose errors add up at
+/// random to some 16 epsilon), and not more than 1e-12 however loose Newton's tolerance is: its last update
+/// (polish) leaves round-off as well. The fields are then off by at most 1e-12 times the condition number,
+/// and so are, relative to the forces, single nodes' balances; sums of these cancel (audits below 1e-12
+/// measured).
+double allowed_error(double tolerance) {
+    return std::clamp(tolerance, 64 * std::numeric_limits<double>::epsilon(), 1e-12);
+}
+
+/// A pass takes far more off the defect; where it does not, the factor is too coarse for the system.
+constexpr double least_contraction = 0.1;
+
 }  // namespace
 
-Eigen::VectorXd CondensedProblem::begin(const std::vector<double>& rhs, const std::vector<double>& start) {
-    rhs_ = system_.condense(rhs);
-    Eigen::VectorXd x(rhs_.size());
+CondensedProblem::CondensedProblem(const StepProblemInput& input, std::span<const std::int32_t> interior,
+                                   std::shared_ptr<Workers> workers, Storage storage)
+    : matrix_(&input.matrix),
+      make_system_([&matrix = input.matrix, &fixed = input.fixed, &contact = input.contact_nodes, interior,
+                    workers](Storage kind) {
+          return CondensedSystem(matrix, fixed, contact, interior, workers, kind);
+      }),
+      system_(make_system_(storage)),
+      newton_(input.newton) {
+    if (storage == Storage::words) {
+        correction_.emplace(Correction{
+            Defect(input.matrix, input.fixed), allowed_error(input.newton.tolerance), {}, {}, {}, {}});
+        correction_->change.resize(input.fixed.size());
+        correction_->forces.resize(input.fixed.size());
+    }
+}
+
+Eigen::VectorXd CondensedProblem::on_contact(const std::vector<double>& values) const {
+    Eigen::VectorXd x(static_cast<Eigen::Index>(contact_dofs().size()));
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-        x[i] = start[static_cast<std::size_t>(contact_dofs()[static_cast<std::size_t>(i)])];
+        x[i] = values[static_cast<std::size_t>(contact_dofs()[static_cast<std::size_t>(i)])];
     }
     return x;
+}
+
+Eigen::VectorXd CondensedProblem::begin(const std::vector<double>& rhs, const std::vector<double>& start) {
+    if (!correction_) {
+        rhs_ = system_.condense(rhs);
+        return on_contact(start);
+    }
+    correction_->rhs = rhs;
+    correction_->defect.take(rhs, start);
+    condense_defect();
+    return correction_->start;
+}
+
+/// A (start + d) + F = r condenses to S (x - start) + F(x) = the condensed defect of the start value.
+void CondensedProblem::condense_defect() {
+    correction_->start = on_contact(correction_->defect.solution());
+    rhs_ = system_.condense(correction_->defect.value());
+    if (rhs_.size() > 0) {
+        rhs_ += system_.schur_complement() * correction_->start;
+    }
 }
 
 NewtonResult CondensedProblem::solve(NonlinearTerm& F, Eigen::VectorXd& x) {
@@ -43,8 +93,82 @@ double CondensedProblem::largest_unknown(const Eigen::VectorXd& start) {
 }
 
 bool CondensedProblem::finish(const Eigen::VectorXd& x, std::vector<double>& solution) {
-    system_.expand(x, solution);
+    if (!correction_) {
+        system_.expand(x, solution);
+        return all_finite(solution);
+    }
+    system_.expand(x - correction_->start, correction_->change);
+    const std::vector<double>& from = correction_->defect.solution();
+    for (const std::int32_t dof : system_.dofs()) {
+        const auto i = static_cast<std::size_t>(dof);
+        solution[i] = from[i] + correction_->change[i];
+    }
     return all_finite(solution);
+}
+
+/// In contact rows A w lacks F, of which the condensed problem knows to be s - S x: what the passes lose
+/// shows there, what Newton's method leaves does not.
+double CondensedProblem::backward_error(const Eigen::VectorXd& x, const std::vector<double>& solution) {
+    Defect& defect = correction_->defect;
+    defect.take(correction_->rhs, solution);
+    if (x.size() > 0) {
+        const Eigen::VectorXd forces = rhs_ - system_.schur_complement() * x;
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+            correction_->forces[static_cast<std::size_t>(contact_dofs()[static_cast<std::size_t>(i)])] =
+                forces[i];
+        }
+    }
+    return defect.backward_error(correction_->rhs, correction_->forces);
+}
+
+/// From now on. Neither S nor the order of its unknowns changes.
+void CondensedProblem::use_doubles() {
+    system_ = make_system_(Storage::doubles);
+    correction_.reset();
+    too_coarse_ = true;
+}
+
+std::optional<KeptDerivative> CondensedProblem::kept_derivative() const {
+    std::optional<KeptDerivative> kept = newton_.kept_derivative(system_.schur_complement());
+    if (too_coarse_) {
+        kept = kept.value_or(KeptDerivative{});
+        kept->in_doubles = true;
+    }
+    return kept;
+}
+
+void CondensedProblem::take_up(const KeptDerivative& derivative) {
+    if (derivative.in_doubles && correction_) {
+        use_doubles();
+    }
+    newton_.take_up(system_.schur_complement(), derivative);
+}
+
+NewtonResult CondensedProblem::refine(NonlinearTerm& F, Eigen::VectorXd& x, std::vector<double>& solution) {
+    NewtonResult result{NewtonEnd::converged, 0, 0.0};
+    double before = std::numeric_limits<double>::infinity();
+    while (correction_) {
+        const double error = backward_error(x, solution);
+        if (error <= correction_->allowed) {
+            return result;
+        }
+        if (!(error < least_contraction * before)) {
+            const std::vector<double> rhs = std::move(correction_->rhs);
+            use_doubles();
+            rhs_ = system_.condense(rhs);
+        } else {
+            condense_defect();
+        }
+        ++corrections_;
+        before = error;
+        const int iterations = result.iterations;
+        result = solve(F, x);
+        result.iterations += iterations;
+        if (result.end != NewtonEnd::converged || !finish(x, solution)) {
+            return {result.end == NewtonEnd::converged ? NewtonEnd::not_finite : result.end, iterations, 0.0};
+        }
+    }
+    return result;
 }
 
 /// (A + dF/dx)^-1 or its transpose, over the unknowns in the order of the factor.
@@ -97,7 +221,8 @@ std::optional<Condition> CondensedProblem::condition(const std::vector<double>& 
 }
 
 std::unique_ptr<StepProblem> Condensed::prepare(const StepProblemInput& input) {
-    return std::make_unique<CondensedProblem>(input, orders_.without(input.contact_nodes), workers_);
+    return std::make_unique<CondensedProblem>(input, orders_.without(input.contact_nodes), workers_,
+                                              storage_);
 }
 
 }  // namespace thermocontact::solve

@@ -2,18 +2,19 @@
 /// them.
 #pragma once
 
+#include <functional>
+
 #include "solve/condensed_system.h"
+#include "solve/refinement.h"
 #include "solve/step_problem.h"
 
 namespace thermocontact::solve {
 
 class CondensedProblem : public StepProblem {
   public:
+    /// What `input` and `interior` refer to must stay.
     CondensedProblem(const StepProblemInput& input, std::span<const std::int32_t> interior,
-                     std::shared_ptr<Workers> workers)
-        : matrix_(&input.matrix),
-          system_(input.matrix, input.fixed, input.contact_nodes, interior, std::move(workers)),
-          newton_(input.newton) {}
+                     std::shared_ptr<Workers> workers, Storage storage);
 
     const std::vector<std::int32_t>& contact_dofs() const override { return system_.contact_dofs(); }
     Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) override;
@@ -21,35 +22,58 @@ class CondensedProblem : public StepProblem {
     void evaluate_at(const Eigen::VectorXd& x, NonlinearTerm& F) override;
     double largest_unknown(const Eigen::VectorXd& start) override;
     bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) override;
-    std::optional<KeptDerivative> kept_derivative() const override {
-        return newton_.kept_derivative(system_.schur_complement());
-    }
-    void take_up(const KeptDerivative& derivative) override {
-        newton_.take_up(system_.schur_complement(), derivative);
-    }
+    NewtonResult refine(NonlinearTerm& F, Eigen::VectorXd& x, std::vector<double>& solution) override;
+    std::optional<KeptDerivative> kept_derivative() const override;
+    void take_up(const KeptDerivative& derivative) override;
     std::optional<Condition> condition(const std::vector<double>& solution) override;
     std::int64_t factor_entries() const override { return system_.factor_entries(); }
+    FactorUse factor_use() const override { return {correction_.has_value(), too_coarse_, corrections_}; }
 
   private:
+    /// For a solution that is reached from a start value, by a factor in words.
+    struct Correction {
+        Defect defect;               ///< of the start value, later of the solution
+        double allowed;              ///< backward error
+        std::vector<double> rhs;     ///< [dofs]
+        Eigen::VectorXd start;       ///< over the contact unknowns
+        std::vector<double> change;  ///< [dofs], from the start value
+        std::vector<double> forces;  ///< [dofs]: F, not 0 at the contact unknowns only
+    };
+
     Eigen::VectorXd solve_with_factors(const Eigen::VectorXd& rhs, bool transposed);
+    Eigen::VectorXd on_contact(const std::vector<double>& values) const;
+    void condense_defect();
+    void use_doubles();
+    double backward_error(const Eigen::VectorXd& x, const std::vector<double>& solution);
 
     const fem::BlockMatrix* matrix_;
+    std::function<CondensedSystem(Storage)> make_system_;
     CondensedSystem system_;
+    std::optional<Correction> correction_;  ///< empty with a factor in doubles
     Newton newton_;
-    Eigen::VectorXd rhs_;  ///< condensed
+    Eigen::VectorXd rhs_;      ///< condensed
+    bool too_coarse_ = false;  ///< the factor in words, for this matrix
+    int corrections_ = 0;      ///< passes beyond the first
 };
 
 class Condensed : public Strategy {
   public:
     /// `orders` may hold orders that were computed before.
-    explicit Condensed(InteriorOrders orders) : orders_(std::move(orders)) {}
+    explicit Condensed(InteriorOrders orders, Storage storage = Storage::doubles)
+        : orders_(std::move(orders)), storage_(storage) {}
     std::string name() const override { return "condensed"; }
     const parallel::Team& team() const override { return alone_; }
+    void beside(std::span<const std::function<void()>> tasks) const override {
+        workers_->run(static_cast<int>(tasks.size()),
+                      [&](int number) { tasks[static_cast<std::size_t>(number)](); });
+    }
+    bool starts_matter() const override { return storage_ == Storage::words; }
     std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) override;
 
   private:
     parallel::Alone alone_;
     InteriorOrders orders_;
+    Storage storage_;
     std::shared_ptr<Workers> workers_ = std::make_shared<Workers>(Workers::available());
 };
 

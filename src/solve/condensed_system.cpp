@@ -1,6 +1,7 @@
 #include "solve/condensed_system.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -105,6 +106,31 @@ SymmetricMatrix reduce(const fem::BlockMatrix& matrix, const FreeDofs& free,
     return result;
 }
 
+/// Powers of 2 that bring the head's diagonal into [1/2, 2]; 1 in the tail, and where an entry is no pivot.
+std::vector<double> equilibrating(const SymmetricMatrix& matrix, const std::vector<std::int32_t>& tail) {
+    std::vector<double> scales(static_cast<std::size_t>(matrix.size), 1.0);
+    for (std::size_t row = 0; row < scales.size(); ++row) {
+        const double diagonal = matrix.values[static_cast<std::size_t>(matrix.offsets[row])];
+        if (std::isnormal(diagonal) && diagonal > 0) {
+            scales[row] = std::ldexp(1.0, -std::ilogb(diagonal) / 2);
+        }
+    }
+    for (const std::int32_t row : tail) {
+        scales[static_cast<std::size_t>(row)] = 1;
+    }
+    return scales;
+}
+
+/// matrix := diag(scales) matrix diag(scales).
+void scale(SymmetricMatrix& matrix, const std::vector<double>& scales) {
+    for (std::size_t column = 0; column < scales.size(); ++column) {
+        for (auto i = static_cast<std::size_t>(matrix.offsets[column]);
+             i < static_cast<std::size_t>(matrix.offsets[column + 1]); ++i) {
+            matrix.values[i] *= scales[column] * scales[static_cast<std::size_t>(matrix.rows[i])];
+        }
+    }
+}
+
 /// Mean diagonal entry over the contact unknowns.
 double mean_diagonal(const SymmetricMatrix& matrix, const std::vector<std::int32_t>& tail) {
     double sum = 0;
@@ -123,7 +149,7 @@ const std::vector<std::int32_t>& InteriorOrders::without(const std::vector<char>
 
 CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
                                  const std::vector<char>& contact, std::span<const std::int32_t> interior,
-                                 std::shared_ptr<Workers> workers) {
+                                 std::shared_ptr<Workers> workers, Storage storage) {
     const FreeDofs free = number_free(fixed);
     if (free.dofs.empty()) {
         schur_.resize(0, 0);
@@ -152,13 +178,16 @@ CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vect
     for (const std::int32_t row : tail) {
         reduced.values[static_cast<std::size_t>(reduced.offsets[static_cast<std::size_t>(row)])] += shift;
     }
+    const std::vector<double> scales = equilibrating(reduced, tail);
+    scale(reduced, scales);
     try {
-        factor_.emplace(reduced, order, static_cast<std::int32_t>(tail.size()), std::move(workers));
+        factor_.emplace(reduced, order, static_cast<std::int32_t>(tail.size()), std::move(workers), storage);
     } catch (const NotPositiveDefinite& failure) {
         throw NotPositiveDefinite{free.dofs[static_cast<std::size_t>(failure.row)]};
     }
     for (const std::int32_t i : factor_->order()) {
         dofs_.push_back(free.dofs[static_cast<std::size_t>(i)]);
+        scales_.push_back(scales[static_cast<std::size_t>(i)]);
     }
     contact_dofs_.assign(dofs_.end() - static_cast<std::ptrdiff_t>(tail.size()), dofs_.end());
     schur_ = factor_->schur_complement();
@@ -171,7 +200,7 @@ Eigen::VectorXd CondensedSystem::condense(const std::vector<double>& rhs) {
         return {};
     }
     for (std::size_t i = 0; i < dofs_.size(); ++i) {
-        work_[i] = rhs[static_cast<std::size_t>(dofs_[i])];
+        work_[i] = scales_[i] * rhs[static_cast<std::size_t>(dofs_[i])];
     }
     factor_->forward(work_);
     const auto count = static_cast<Eigen::Index>(contact_dofs_.size());
@@ -185,7 +214,7 @@ void CondensedSystem::expand(const Eigen::VectorXd& contact, std::vector<double>
     std::copy(contact.begin(), contact.end(), work_.end() - contact.size());
     factor_->backward(work_);
     for (std::size_t i = 0; i < dofs_.size(); ++i) {
-        solution[static_cast<std::size_t>(dofs_[i])] = work_[i];
+        solution[static_cast<std::size_t>(dofs_[i])] = scales_[i] * work_[i];
     }
 }
 

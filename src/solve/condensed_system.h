@@ -34,11 +34,11 @@ class InteriorOrders {
 class CondensedSystem {
   public:
     /// `fixed` [dofs] marks prescribed unknowns, which drop out; `contact` [nodes] marks the nodes whose
-    /// other unknowns are kept, `interior` orders the nodes outside contact. Throws NotPositiveDefinite with
-    /// the dof at fault.
+    /// other unknowns are kept, `interior` orders the nodes outside contact. S is computed in double
+    /// precision, however the factor is stored. Throws NotPositiveDefinite with the dof at fault.
     CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
                     const std::vector<char>& contact, std::span<const std::int32_t> interior,
-                    std::shared_ptr<Workers> workers);
+                    std::shared_ptr<Workers> workers, Storage storage = Storage::doubles);
 
     /// Dofs of the contact unknowns, in the order of S.
     const std::vector<std::int32_t>& contact_dofs() const { return contact_dofs_; }
@@ -60,6 +60,10 @@ class CondensedSystem {
     std::optional<PanelFactor> factor_;  ///< empty if every dof is fixed
     std::vector<std::int32_t> dofs_;     ///< dof at each position of the factor
     std::vector<std::int32_t> contact_dofs_;
+    /// [unknowns] Powers of 2, 1 in the tail: the diagonal of diag(scales) A diag(scales), which is factored,
+    /// is near 1 in the head. That changes no bit of a factor in doubles, and words (column_group.h) need
+    /// rows alike.
+    std::vector<double> scales_;
     Eigen::MatrixXd schur_;
     std::vector<double> work_;
 };

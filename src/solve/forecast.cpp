@@ -14,9 +14,9 @@ constexpr double operations_a_second = 2.5e10;
 
 // Condensing: a step reads the factor twice; Newton multiplies by S, and factors its derivative, this often.
 constexpr double passes = 2, dense_products = 8, dense_factorisations = 2;
-// Of each number of L there are CHOLMOD's copy and the panels when these are made. Of the dense block: the
-// matrix given to CHOLMOD, L, S, Newton's derivative and its factors.
-constexpr double copies_of_factor = 2, copies_of_dense_block = 5;
+// Of each number of L there are CHOLMOD's copy, in double precision, and the panels when these are made. Of
+// the dense block: the matrix given to CHOLMOD, L, S, Newton's derivative and its factors.
+constexpr double copies_of_dense_block = 5;
 
 // Newton-Krylov, in products with an assembled matrix that would be read: an iteration, and the hierarchy's
 // set-up.
@@ -68,13 +68,15 @@ BalanceSize measure(const fem::NodeGraph& graph, int components, const std::vect
     return result;
 }
 
-Cost condensed_cost(const BalanceSize& balance, int steps) {
+Cost condensed_cost(const BalanceSize& balance, int steps, double bytes_a_number) {
     const double block = balance.contact_unknowns * balance.contact_unknowns;
     const double lu = 2.0 / 3.0 * block * balance.contact_unknowns;
     const double step =
-        (passes * balance.factor_entries + dense_products * block) * sizeof(double) / bytes_a_second +
+        (passes * balance.factor_entries * bytes_a_number + dense_products * block * sizeof(double)) /
+            bytes_a_second +
         dense_factorisations * lu / operations_a_second;
-    return {(copies_of_factor * balance.factor_entries + copies_of_dense_block * block) * sizeof(double),
+    return {balance.factor_entries * (sizeof(double) + bytes_a_number) +
+                copies_of_dense_block * block * sizeof(double),
             balance.factor_operations / operations_a_second + steps * step};
 }
 

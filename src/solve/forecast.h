@@ -42,7 +42,8 @@ BalanceSize measure(const fem::NodeGraph& graph, int components, const std::vect
 /// The same without the factor, for contact too large to be dense.
 BalanceSize measure(const fem::NodeGraph& graph, int components, const std::vector<char>& contact);
 
-Cost condensed_cost(const BalanceSize& balance, int steps);
+/// `bytes_a_number`: of the factor as the steps read it, 8 or 4.
+Cost condensed_cost(const BalanceSize& balance, int steps, double bytes_a_number = sizeof(double));
 Cost newton_krylov_cost(const BalanceSize& balance, int steps);
 
 /// Whether factor and dense block have indices of 32 bits.

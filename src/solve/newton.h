@@ -58,6 +58,7 @@ struct KeptDerivative {
     std::int64_t unknowns = 0;
     std::vector<std::int64_t> entries;  ///< column * unknowns + row
     std::vector<double> values;         ///< [entries]
+    bool in_doubles = false;            ///< the sparse factor, as words were too coarse (condensed_problem.h)
 };
 
 /// "the line search found no descent", for messages.

@@ -6,20 +6,24 @@
 #include <utility>
 
 #include "solve/branches.h"
-#include "solve/column_group.h"
 
 namespace thermocontact::solve {
 namespace {
 
 constexpr int branch_count = 4;  ///< as many cores exhaust the memory of most machines
 
-/// Numbers in a panel stored by groups.
-std::int64_t stored(std::int32_t columns, std::int32_t rows) {
-    std::int64_t count = 0;
+/// Bytes of a panel stored by groups.
+std::int64_t panel_bytes(Storage storage, std::int32_t columns, std::int32_t rows) {
+    std::int64_t bytes = 0;
     for (std::int32_t c = 0; c < columns; c += group) {
-        count += group_size(std::min(group, columns - c), rows - c);
+        bytes += group_bytes(storage, std::min(group, columns - c), rows - c);
     }
-    return count;
+    return bytes;
+}
+
+/// Numbers in it, the same however they are stored.
+std::int64_t stored(std::int32_t columns, std::int32_t rows) {
+    return panel_bytes(Storage::doubles, columns, rows) / static_cast<std::int64_t>(sizeof(double));
 }
 
 /// Of each supernode, up to the first one without columns in the head: how many it has there.
@@ -50,20 +54,22 @@ Branches cut(const Supernodes& supernodes, std::span<const std::int32_t> in_head
     return cut_into_branches(parents, weights, total < smallest_cut ? 1 : branch_count);
 }
 
-std::size_t numbers_in(const Supernodes& supernodes, std::span<const std::int32_t> in_head) {
-    std::int64_t count = 0;
+std::size_t bytes_of(const Supernodes& supernodes, std::span<const std::int32_t> in_head, Storage storage) {
+    std::int64_t bytes = 0;
     for (std::size_t s = 0; s < in_head.size(); ++s) {
-        count += stored(in_head[s], static_cast<std::int32_t>(supernodes[s].rows.size()));
+        bytes += panel_bytes(storage, in_head[s], static_cast<std::int32_t>(supernodes[s].rows.size()));
     }
-    return static_cast<std::size_t>(count);
+    return static_cast<std::size_t>(bytes);
 }
 
 }  // namespace
 
 PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order,
-                         std::int32_t tail, std::shared_ptr<Workers> workers, std::int64_t smallest_cut)
+                         std::int32_t tail, std::shared_ptr<Workers> workers, Storage storage,
+                         std::int64_t smallest_cut)
     : size_(matrix.size),
       head_(matrix.size - tail),
+      storage_(storage),
       workers_(std::move(workers)),
       tail_(Eigen::MatrixXd::Zero(tail, tail)) {
     const Supernodes supernodes(matrix, order, tail);
@@ -87,7 +93,7 @@ PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int
     for (std::size_t i = 0; i < order_.size(); ++i) {
         order_[static_cast<std::size_t>(place[i])] = supernodes.order()[i];
     }
-    values_.reserve(numbers_in(supernodes, in_head));
+    bytes_.reserve(bytes_of(supernodes, in_head, storage_));
     for (const std::vector<std::int32_t>& branch : cuts.branches) {
         branches_.push_back(store(supernodes, branch, in_head, place, first_outside_));
     }
@@ -104,14 +110,19 @@ PanelFactor::Branch PanelFactor::store(const Supernodes& supernodes, std::span<c
         const auto at = static_cast<std::size_t>(s);
         const Supernode supernode = supernodes[at];
         const std::int32_t columns = in_head[at], rows = static_cast<std::int32_t>(supernode.rows.size());
-        Panel panel{place[static_cast<std::size_t>(supernode.first)], columns, rows, entries(),
-                    static_cast<std::int64_t>(rows_.size()),          0};
-        values_.resize(values_.size() + static_cast<std::size_t>(stored(columns, rows)));
-        double* L = values_.data() + panel.values;
+        Panel panel{place[static_cast<std::size_t>(supernode.first)],
+                    columns,
+                    rows,
+                    static_cast<std::int64_t>(bytes_.size()),
+                    static_cast<std::int64_t>(rows_.size()),
+                    0};
+        entries_ += stored(columns, rows);
+        bytes_.resize(bytes_.size() + static_cast<std::size_t>(panel_bytes(storage_, columns, rows)));
+        std::byte* L = bytes_.data() + panel.bytes;
         for (std::int32_t c = 0; c < columns; c += group) {
             const std::int32_t width = std::min(group, columns - c);
-            store_group(supernode.column(c) + c, rows, width, rows - c, L);
-            L += group_size(width, rows - c);
+            store_group(storage_, supernode.column(c) + c, rows, width, rows - c, L);
+            L += group_bytes(storage_, width, rows - c);
         }
         for (const std::int32_t row : supernode.rows.subspan(static_cast<std::size_t>(columns))) {
             rows_.push_back(place[static_cast<std::size_t>(row)]);
@@ -143,11 +154,11 @@ void PanelFactor::forward(const Panel& panel, Branch& branch, std::vector<double
     const std::int32_t below = panel.rows - panel.columns;
     std::copy_n(x.data() + panel.first_column, panel.columns, local);
     std::fill_n(local + panel.columns, below, 0.0);
-    const double* L = values_.data() + panel.values;
+    const std::byte* L = bytes_.data() + panel.bytes;
     for (std::int32_t c = 0; c < panel.columns; c += group) {
         const std::int32_t width = std::min(group, panel.columns - c);
-        solve_group(L, width, panel.rows - c, local + c);
-        L += group_size(width, panel.rows - c);
+        solve_group(storage_, L, width, panel.rows - c, local + c);
+        L += group_bytes(storage_, width, panel.rows - c);
     }
     std::copy_n(local, panel.columns, x.data() + panel.first_column);
     const std::int32_t* rows = rows_.data() + panel.below;
@@ -186,11 +197,11 @@ void PanelFactor::backward(const Panel& panel, Branch& branch, std::vector<doubl
         local[panel.columns + r] = x[static_cast<std::size_t>(rows[r])];
     }
     std::fill_n(local + panel.rows, chunk, 0.0);
-    const double* L = values_.data() + panel.values + stored(panel.columns, panel.rows);
+    const std::byte* L = bytes_.data() + panel.bytes + panel_bytes(storage_, panel.columns, panel.rows);
     for (std::int32_t c = (panel.columns - 1) / group * group; c >= 0; c -= group) {
         const std::int32_t width = std::min(group, panel.columns - c);
-        L -= group_size(width, panel.rows - c);
-        solve_group_transposed(L, width, panel.rows - c, local + c);
+        L -= group_bytes(storage_, width, panel.rows - c);
+        solve_group_transposed(storage_, L, width, panel.rows - c, local + c);
     }
     std::copy_n(local, panel.columns, x.data() + panel.first_column);
 }

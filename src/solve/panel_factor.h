@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "solve/column_group.h"
 #include "solve/huge_pages.h"
 #include "solve/supernodes.h"
 #include "solve/symmetric_matrix.h"
@@ -28,9 +29,11 @@ class PanelFactor {
   public:
     /// Factors A with the fill-reducing `order` (order[i] = row of A that comes i-th); the last `tail` rows
     /// of the order stay last as a set, and couple densely. With less than `smallest_cut` numbers there is
-    /// one branch only. Throws NotPositiveDefinite, or std::bad_alloc.
+    /// one branch only. The head is stored as `storage` says, the tail in double precision. Throws
+    /// NotPositiveDefinite, or std::bad_alloc.
     PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order, std::int32_t tail,
-                std::shared_ptr<Workers> workers, std::int64_t smallest_cut = worth_threads);
+                std::shared_ptr<Workers> workers, Storage storage = Storage::doubles,
+                std::int64_t smallest_cut = worth_threads);
 
     /// order()[i]: row of A that is i-th in the factor (`order` refined).
     const std::vector<std::int32_t>& order() const { return order_; }
@@ -46,12 +49,12 @@ class PanelFactor {
     Eigen::MatrixXd schur_complement() const;
 
     /// Numbers stored for L, the zeros that fill up groups among them.
-    std::int64_t entries() const { return static_cast<std::int64_t>(values_.size()); }
+    std::int64_t entries() const { return entries_; }
 
   private:
     struct Panel {
         std::int32_t first_column, columns, rows;
-        std::int64_t values;  ///< start in values_
+        std::int64_t bytes;   ///< start in bytes_
         std::int64_t below;   ///< start in rows_ of the rows below the diagonal block
         std::int32_t within;  ///< how many of those, the first, are of the panel's branch
     };
@@ -69,10 +72,12 @@ class PanelFactor {
     void backward(const Panel& panel, Branch& branch, std::vector<double>& x) const;
 
     std::int32_t size_, head_;
+    Storage storage_;
     std::shared_ptr<Workers> workers_;
     std::vector<std::int32_t> order_;
     std::vector<Panel> panels_;  ///< of the head: by branch, then the trunk
-    HugeVector<double> values_;
+    std::int64_t entries_ = 0;
+    HugeVector<std::byte> bytes_;
     std::vector<std::int32_t> rows_;
     std::vector<Branch> branches_;
     Branch trunk_{};

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,13 @@
 #include "solve/newton.h"
 
 namespace thermocontact::solve {
+
+/// How a factor is stored, and what that took.
+struct FactorUse {
+    bool single = false;      ///< 32 bits a number
+    bool too_coarse = false;  ///< that was so, and left
+    int corrections = 0;      ///< passes beyond the first of a solve
+};
 
 class StepProblem {
   public:
@@ -39,6 +48,13 @@ class StepProblem {
     /// process.
     virtual bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) = 0;
 
+    /// After finish(), brings a solution that a coarse factor left beyond what double precision leaves to
+    /// that; `x` and `solution` are improved. The last iterate, and why, if no solution is found.
+    virtual NewtonResult refine(NonlinearTerm& F, Eigen::VectorXd& x, std::vector<double>& solution) {
+        static_cast<void>(F), static_cast<void>(x), static_cast<void>(solution);
+        return {NewtonEnd::converged, 0, 0.0};
+    }
+
     /// What solve() has kept from earlier steps, if it is such that it can be handed on; and an equal problem
     /// to go on with it. Only the last digits of what solve() finds depend on it.
     virtual std::optional<KeptDerivative> kept_derivative() const { return std::nullopt; }
@@ -50,6 +66,8 @@ class StepProblem {
         static_cast<void>(solution);
         return std::nullopt;
     }
+
+    virtual FactorUse factor_use() const { return {}; }
 
     /// Numbers in the factors, where there are any.
     virtual std::int64_t factor_entries() const { return 0; }
@@ -71,6 +89,17 @@ class Strategy {
   public:
     virtual ~Strategy() = default;
     virtual std::string name() const = 0;
+
+    /// Calls each task once, beside each other where the strategy has threads. Tasks must not throw, nor call
+    /// a team.
+    virtual void beside(std::span<const std::function<void()>> tasks) const {
+        for (const std::function<void()>& task : tasks) {
+            task();
+        }
+    }
+
+    /// Whether its problems take less work with a start value near the solution.
+    virtual bool starts_matter() const { return false; }
 
     /// The processes that solve together.
     virtual const parallel::Team& team() const = 0;

@@ -95,6 +95,18 @@ TEST_F(Restart, InTheSameFolderContinues) {
     }
 }
 
+/// Where the fields are going is part of the state, and what the factor in words proved to be of the systems.
+TEST_F(Restart, WithAFactorInSinglePrecision) {
+    scene = support::repository_scene("paper", {"mesh.cells=[4,4]", "time.steps=9", "output.every=2",
+                                                "output.checkpoint_every=3", "solver.factor=\"single\""});
+    run(whole, 9);
+    for (const int steps : {0, 1, 4, 8, 9}) {
+        run(cut, steps);
+        run(cut, 9, checkpoint(cut));
+        expect_same_fields(whole, cut);
+    }
+}
+
 TEST_F(Restart, InAnotherFolderStartsAtTheCheckpoint) {
     run(cut, 4);
     run(other, 6);  // of another run

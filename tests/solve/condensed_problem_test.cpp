@@ -11,36 +11,6 @@
 namespace thermocontact::solve {
 namespace {
 
-/// The capacity matrix of a square, its lower side in contact, the rest free or fixed.
-class OneBalance : public testing::Test {
-  protected:
-    const support::Discretisation at{"mesh.cells = [3, 2]\ntime = {end = 1, steps = 1}\nheat.capacity = 1\n"};
-    const fem::BlockMatrix matrix = fem::assemble_matrix(
-        {fem::find_kernel("heat_capacity.capacity", "triangle", 1), at.mesh, {{"c", {1.0}}}}, at.space,
-        at.graph, 1, 1);
-    std::vector<char> contact = std::vector<char>(at.node_count(), 0);
-    std::vector<char> fixed = contact;
-    Condensed strategy{InteriorOrders(at.graph)};
-
-    OneBalance() {
-        for (std::size_t node = 0; node < at.node_count(); ++node) {
-            contact[node] = at.space.nodes[node][1] == 0.0 ? 1 : 0;
-        }
-    }
-    std::unique_ptr<StepProblem> problem() {
-        return strategy.prepare({"heat", matrix, fixed, contact, true, {1e-12, 50}});
-    }
-};
-
-/// A bound of what friction meets counts magnitudes, of the start value and of the solution without contact.
-TEST_F(OneBalance, LargestUnknownCountsMagnitudes) {
-    const auto one = problem();
-    const std::vector<double> nothing(at.node_count(), 0.0), start(at.node_count(), -7.0);
-    EXPECT_EQ(one->largest_unknown(one->begin(nothing, start)), 7.0);
-    const std::vector<double> rhs = matrix.multiply(std::vector<double>(at.node_count(), -9.0));
-    EXPECT_NEAR(one->largest_unknown(one->begin(rhs, start)), 9.0, 1e-12);
-}
-
 /// Springs at the contact unknowns.
 class Springs : public NonlinearTerm {
   public:
@@ -55,6 +25,114 @@ class Springs : public NonlinearTerm {
   private:
     double stiffness_;
 };
+
+/// The capacity matrix of a square, its lower side in contact, the rest free or fixed.
+class OneBalance : public testing::Test {
+  protected:
+    const support::Discretisation at{"mesh.cells = [3, 2]\ntime = {end = 1, steps = 1}\nheat.capacity = 1\n"};
+    const fem::BlockMatrix matrix = fem::assemble_matrix(
+        {fem::find_kernel("heat_capacity.capacity", "triangle", 1), at.mesh, {{"c", {1.0}}}}, at.space,
+        at.graph, 1, 1);
+    std::vector<char> contact = std::vector<char>(at.node_count(), 0);
+    std::vector<char> fixed = contact;
+    Condensed strategy{InteriorOrders(at.graph)};
+    Condensed in_words{InteriorOrders(at.graph), Storage::words};
+
+    OneBalance() {
+        for (std::size_t node = 0; node < at.node_count(); ++node) {
+            contact[node] = at.space.nodes[node][1] == 0.0 ? 1 : 0;
+        }
+    }
+    std::unique_ptr<StepProblem> problem() { return problem(strategy, matrix); }
+    std::unique_ptr<StepProblem> problem(Strategy& by, const fem::BlockMatrix& A) {
+        return by.prepare({"heat", A, fixed, contact, true, {1e-12, 50}});
+    }
+    /// A solution from a start value, with springs at the contact unknowns.
+    std::vector<double> solve(StepProblem& one, const std::vector<double>& rhs, std::vector<double> solution);
+};
+
+/// A bound of what friction meets counts magnitudes, of the start value and of the solution without contact.
+TEST_F(OneBalance, LargestUnknownCountsMagnitudes) {
+    const auto one = problem();
+    const std::vector<double> nothing(at.node_count(), 0.0), start(at.node_count(), -7.0);
+    EXPECT_EQ(one->largest_unknown(one->begin(nothing, start)), 7.0);
+    const std::vector<double> rhs = matrix.multiply(std::vector<double>(at.node_count(), -9.0));
+    EXPECT_NEAR(one->largest_unknown(one->begin(rhs, start)), 9.0, 1e-12);
+}
+
+std::vector<double> OneBalance::solve(StepProblem& one, const std::vector<double>& rhs,
+                                      std::vector<double> solution) {
+    Springs springs(0.3);
+    Eigen::VectorXd x = one.begin(rhs, solution);
+    EXPECT_EQ(one.solve(springs, x).end, NewtonEnd::converged);
+    EXPECT_TRUE(one.finish(x, solution));
+    EXPECT_EQ(one.refine(springs, x, solution).end, NewtonEnd::converged);
+    return solution;
+}
+
+/// From any start value, and with fixed unknowns that have a value: what is left of the words is a backward
+/// error of 1e-12 (condensed_problem.cpp), times the condition of a capacity matrix, which is below 20.
+TEST_F(OneBalance, AFactorInWordsGivesTheSolutionOfDoubles) {
+    fixed[at.node_count() - 1] = 1;
+    const auto one = problem(), other = problem(in_words, matrix);
+    EXPECT_TRUE(in_words.starts_matter());
+    EXPECT_FALSE(strategy.starts_matter());
+    const std::vector<double> rhs = matrix.multiply(support::random_numbers(at.node_count()));
+    const std::vector<double> exact = solve(*one, rhs, std::vector<double>(at.node_count(), 3.0));
+    const double close = 2 * 20 * 1e-12 * support::as_vector(exact).cwiseAbs().maxCoeff();
+    for (const double from : {0.0, 3.0, -1e3}) {
+        std::vector<double> start(at.node_count(), from);
+        start.back() = 3;
+        const std::vector<double> found = solve(*other, rhs, start);
+        EXPECT_EQ(found.back(), 3);
+        EXPECT_LE((support::as_vector(found) - support::as_vector(exact)).cwiseAbs().maxCoeff(), close)
+            << from;
+    }
+    const int corrections = other->factor_use().corrections;
+    EXPECT_GE(corrections, 3) << "words alone were enough";
+    EXPECT_TRUE(other->factor_use().single);
+    EXPECT_EQ(solve(*other, rhs, std::vector<double>(at.node_count(), 0.0)),
+              solve(*other, rhs, std::vector<double>(at.node_count(), 0.0)))
+        << "a solve leaves a trace";
+    const int before = other->factor_use().corrections;
+    solve(*other, rhs, exact);
+    EXPECT_EQ(other->factor_use().corrections, before) << "a start value at the solution needs one pass";
+}
+
+/// Conduction with hardly any capacity: of condition 1e12, where words do not contract.
+class HardlyHeld : public OneBalance {
+  protected:
+    fem::BlockMatrix conduction = fem::assemble_matrix(
+        {fem::find_kernel("conduction.conduction", "triangle", 1), at.mesh, {{"K", {1, 0, 0, 1}}}}, at.space,
+        at.graph, 1, 1);
+    std::vector<double> rhs;
+
+    HardlyHeld() {
+        conduction.add(1e-12, matrix);
+        contact.assign(at.node_count(), 0);
+        rhs = matrix.multiply(support::random_numbers(at.node_count()));
+    }
+};
+
+/// Then it is doubles, to the last bit, from there on, and in a problem that takes up where it left.
+TEST_F(HardlyHeld, WhereWordsAreTooCoarseDoublesServe) {
+    const auto one = problem(strategy, conduction), other = problem(in_words, conduction);
+    const std::vector<double> start(at.node_count(), 1.0);
+    const std::vector<double> exact = solve(*one, rhs, start);
+    EXPECT_FALSE(other->kept_derivative());
+    EXPECT_EQ(solve(*other, rhs, start), exact);
+    const FactorUse use = other->factor_use();
+    EXPECT_TRUE(use.too_coarse);
+    EXPECT_FALSE(use.single);
+    EXPECT_EQ(solve(*other, rhs, start), exact);
+    EXPECT_EQ(other->factor_use().corrections, use.corrections);
+    const auto kept = other->kept_derivative();
+    ASSERT_TRUE(kept);
+    const auto next = problem(in_words, conduction);
+    next->take_up(*kept);
+    EXPECT_EQ(solve(*next, rhs, start), exact);
+    EXPECT_EQ(next->factor_use().corrections, 0);
+}
 
 /// cond(T, x) over all unknowns, contact and others, from the condensed factors: within Hager's factor of 3
 /// of the dense one.

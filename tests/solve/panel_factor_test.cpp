@@ -67,6 +67,7 @@ struct Case {
     Eigen::MatrixXd matrix;
     int tail;
     std::int64_t smallest_cut;  ///< of the factor into branches
+    Storage storage = Storage::doubles;
 };
 
 std::vector<Case> cases() {
@@ -77,6 +78,7 @@ std::vector<Case> cases() {
             if (tail <= n && (result.empty() || result.back().name != name || result.back().tail < tail)) {
                 result.push_back({name, A, tail, worth_threads});
                 result.push_back({name, A, tail, 0});
+                result.push_back({name, A, tail, 0, Storage::words});
             }
         }
     };
@@ -103,8 +105,9 @@ class Factor : public testing::TestWithParam<Case> {
         return result;
     }();
     const std::span<const std::int32_t> tail = std::span(order).last(static_cast<std::size_t>(t));
-    PanelFactor factor{lower_triangle(A, tail), order, static_cast<std::int32_t>(t),
-                       std::make_shared<Workers>(3), GetParam().smallest_cut};
+    PanelFactor factor{lower_triangle(A, tail),      order,
+                       static_cast<std::int32_t>(t), std::make_shared<Workers>(3),
+                       GetParam().storage,           GetParam().smallest_cut};
 
     /// A with its rows and columns in the factor's order.
     Eigen::MatrixXd permuted() const {
@@ -118,9 +121,11 @@ class Factor : public testing::TestWithParam<Case> {
     }
 };
 
-/// Backward stable: errors of n epsilon |A|, times the condition number (below 1000 here) in solutions.
-double tolerance(const Eigen::MatrixXd& A) {
-    return 10 * static_cast<double>(A.rows()) * epsilon * A.norm();
+/// Backward stable: errors of n u |A|, times the condition number (below 1000 here) in solutions. Words hold
+/// each number of L to u = 2^-32 of its column's largest, which are errors of n u |L|^2 at most.
+double tolerance(const Eigen::MatrixXd& A, Storage storage) {
+    const double u = storage == Storage::words ? 0x1p-32 : epsilon;
+    return 10 * static_cast<double>(A.rows()) * u * A.norm();
 }
 constexpr double condition = 1000;
 
@@ -145,7 +150,9 @@ TEST_P(Factor, SchurComplement) {
     }
     ASSERT_EQ(factor.schur_complement().rows(), t);
     if (t > 0) {
-        EXPECT_LE((factor.schur_complement() - expected).cwiseAbs().maxCoeff(), tolerance(A));
+        EXPECT_LE((factor.schur_complement() - expected).cwiseAbs().maxCoeff(),
+                  tolerance(A, Storage::doubles))
+            << "in double precision however the head is stored";
     }
 }
 
@@ -163,7 +170,8 @@ TEST_P(Factor, SolvesWithTheTailSolvedByItself) {
     factor.backward(x);
     const Eigen::VectorXd expected = A.llt().solve(b);
     for (Eigen::Index i = 0; i < n; ++i) {
-        EXPECT_NEAR(x[i], expected[factor.order()[i]], condition * tolerance(A) * expected.norm() / A.norm());
+        EXPECT_NEAR(x[i], expected[factor.order()[i]],
+                    condition * tolerance(A, GetParam().storage) * expected.norm() / A.norm());
     }
 }
 
@@ -179,11 +187,12 @@ TEST_P(Factor, ForwardCondensesTheRightHandSide) {
         const Eigen::MatrixXd L = P.topLeftCorner(h, h).llt().matrixL();
         const Eigen::VectorXd y = L.triangularView<Eigen::Lower>().solve(b_head);
         EXPECT_LE((support::as_vector(x).head(h) - y).cwiseAbs().maxCoeff(),
-                  condition * tolerance(A) * y.norm() / A.norm());
+                  condition * tolerance(A, GetParam().storage) * y.norm() / A.norm());
         if (t > 0) {
             const Eigen::VectorXd s = support::as_vector(b).tail(t) -
                                       P.bottomLeftCorner(t, h) * P.topLeftCorner(h, h).llt().solve(b_head);
-            EXPECT_LE((support::as_vector(x).tail(t) - s).cwiseAbs().maxCoeff(), condition * tolerance(A));
+            EXPECT_LE((support::as_vector(x).tail(t) - s).cwiseAbs().maxCoeff(),
+                      condition * tolerance(A, GetParam().storage));
         }
     } else {
         EXPECT_EQ(x, b);
@@ -200,7 +209,8 @@ TEST_P(Factor, StoresNoMoreThanTheTriangle) {
 
 INSTANTIATE_TEST_SUITE_P(Matrices, Factor, testing::ValuesIn(cases()), [](const auto& info) {
     return info.param.name + "_tail_" + std::to_string(info.param.tail) +
-           (info.param.smallest_cut == 0 ? "_in_branches" : "");
+           (info.param.smallest_cut == 0 ? "_in_branches" : "") +
+           (info.param.storage == Storage::words ? "_of_words" : "");
 });
 
 std::shared_ptr<Workers> alone() {
@@ -290,12 +300,14 @@ TEST(NestedDissection, SavesFill) {
               PanelFactor(grid, natural, 0, alone()).entries());
 }
 
+class Branches : public testing::TestWithParam<Storage> {};
+
 /// The last bit is the same however many threads share the branches, and every branch has its part.
-TEST(Branches, TheNumberOfThreadsChangesNothing) {
+TEST_P(Branches, TheNumberOfThreadsChangesNothing) {
     const SymmetricMatrix grid = laplacian(64);
     const std::vector<std::int32_t> order = nested_dissection(grid);
     const auto solved = [&](int threads) {
-        PanelFactor factor(grid, order, 20, std::make_shared<Workers>(threads), 0);
+        PanelFactor factor(grid, order, 20, std::make_shared<Workers>(threads), GetParam(), 0);
         std::vector<double> x = support::random_numbers(static_cast<std::size_t>(grid.size), 3);
         for (int again = 0; again < 20; ++again) {  // threads meet in another order each time
             factor.forward(x);
@@ -307,6 +319,26 @@ TEST(Branches, TheNumberOfThreadsChangesNothing) {
     EXPECT_EQ(one, solved(2));
     EXPECT_EQ(one, solved(4));
     EXPECT_EQ(one, solved(9));
+}
+
+INSTANTIATE_TEST_SUITE_P(Storages, Branches, testing::Values(Storage::doubles, Storage::words),
+                         [](const auto& info) { return info.param == Storage::words ? "words" : "doubles"; });
+
+/// Words are nearer to doubles than single precision would be: in a column whose numbers are alike, by far.
+TEST(Words, AreFinerThanSinglePrecision) {
+    const SymmetricMatrix grid = laplacian(32);
+    const std::vector<std::int32_t> order = nested_dissection(grid);
+    const std::vector<double> b = support::random_numbers(static_cast<std::size_t>(grid.size), 3);
+    const auto solved = [&](Storage storage) {
+        PanelFactor factor(grid, order, 0, alone(), storage);
+        std::vector<double> x = b;
+        factor.forward(x);
+        factor.backward(x);
+        return support::as_vector(x);
+    };
+    const Eigen::VectorXd exact = solved(Storage::doubles), x = solved(Storage::words);
+    EXPECT_NE(x, exact);
+    EXPECT_LE((x - exact).norm(), 0x1p-27 * exact.norm());
 }
 
 }  // namespace

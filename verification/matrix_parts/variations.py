@@ -272,6 +272,7 @@ def _exact_friction() -> list[Variation]:
         {"time.scheme": "bdf2"},
         {"time.scheme": "midpoint"},
         {"solver.strategy": "newton-krylov"},
+        {"solver.factor": "single"},
         {
             "boundary.bottom.contact.compliance.exponent": 1.5,
             "material.density": ABSENT,
@@ -290,6 +291,12 @@ def _solver_and_output() -> dict[str, list[Variation]]:
             *vary(CONTACT, "solver.strategy", "condensed", same=SOLVER_ONLY),
             *vary("mechanics", "solver.strategy", "condensed", same=SOLVER_ONLY),
             *vary(CONTACT, "solver.strategy", "newton-krylov", same=SOLVER_ONLY),
+        ],
+        "solver.factor": [
+            *vary(CONTACT, "solver.factor", "auto", same=DEFAULT),
+            *vary(CONTACT, "solver.factor", "double", "single", same=SOLVER_ONLY),
+            *vary("mechanics", "solver.factor", "single", same=SOLVER_ONLY),
+            *vary("coupled", "solver.factor", "single", same=SOLVER_ONLY),
         ],
         "solver.tolerance": vary(CONTACT, "solver.tolerance", 1e-13, 3e-12, same=SOLVER_ONLY),
         "solver.max_iterations": [

@@ -234,7 +234,9 @@ def _strategies() -> dict[str, list[Variation]]:
     return {
         key: vary(CONTACT, key, "auto", same=DEFAULT)
         + vary(CONTACT, key, "condensed", "newton-krylov", same=SOLVER_ONLY)
-        + vary("box mechanics", key, "newton-krylov", same=SOLVER_ONLY)
+        + vary("box mechanics", key, "newton-krylov", same=SOLVER_ONLY),
+        "solver.factor": vary(CONTACT, "solver.factor", "auto", same=DEFAULT)
+        + vary(CONTACT, "solver.factor", "double", "single", same=SOLVER_ONLY),
     }
 
 

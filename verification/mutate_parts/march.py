@@ -411,4 +411,12 @@ MUTATIONS = (
         "state",
         "what parts of a failed step did is undone",
     ),
+    Mutation(
+        "course-unknown-differences",
+        "src/march/course.cpp",
+        "difference = i <= known ? change : 0.0;",
+        "difference = change;",
+        "state",
+        "differences from before the steps were even are no part of the course",
+    ),
 )

@@ -159,6 +159,7 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         raise SceneError("a scene needs [material], [heat] or both")
     radius, coupling_tolerance = _scheme(time), _coupling(time)
     solver.take("strategy", one_of("auto", "condensed", "newton-krylov"), "auto")
+    solver.take("factor", one_of("auto", "double", "single"), "auto")
     if "velocity" in initial and (material is None or material.density is None):
         raise SceneError("initial.velocity needs material.density: a quasi-static scene has no inertia")
     sides = root.defaulted("boundary")

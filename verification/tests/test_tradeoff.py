@@ -43,6 +43,7 @@ FACTS = Facts(
     iterated=None,
     solver_tolerance=1e-12,
     strategy="auto",
+    factor="auto",
     schemes=("backward-euler", "bdf2", "midpoint"),
     graded=True,
 )

@@ -83,9 +83,14 @@ class Coupling:
 class Solver:
     tolerance: float
     strategy: str
+    factor: str = "auto"
 
     def settings(self, facts: Facts) -> Settings:
-        return {"solver.tolerance": self.tolerance, "solver.strategy": self.strategy}
+        return {
+            "solver.tolerance": self.tolerance,
+            "solver.strategy": self.strategy,
+            "solver.factor": self.factor,
+        }
 
 
 @dataclass(frozen=True)

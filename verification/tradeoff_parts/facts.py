@@ -37,6 +37,7 @@ class Facts:
     iterated: float | None  # the tolerance of the scene's coupling; None: lagged
     solver_tolerance: float
     strategy: str
+    factor: str
     schemes: tuple[str, ...]
     graded: bool  # the schema has mesh.grading, and the mesh is no file
 
@@ -98,6 +99,7 @@ def facts_of(
         iterated=iterated,
         solver_tolerance=solver["tolerance"],
         strategy=solver["strategy"],
+        factor=solver["factor"],
         schemes=tuple(schema["time.scheme"]["choices"]),
         graded="mesh.grading.left" in schema,
     )

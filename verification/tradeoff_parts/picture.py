@@ -6,7 +6,7 @@ from typing import Any
 
 from plotting.style import Album, panels, styled
 from tradeoff_parts.measure import Point
-from tradeoff_parts.plan import BARGAIN, DEFAULT, PAPER, STRATEGY
+from tradeoff_parts.plan import BARGAIN, DEFAULT, FACTOR, PAPER, STRATEGY
 from tradeoff_parts.prices import RESOLVED, by_knob, front, own_error
 from tradeoff_parts.tables import Study
 
@@ -22,6 +22,7 @@ FAMILIES: tuple[tuple[str, tuple[str, ...], str], ...] = (  # of knobs: how thei
     ("coupling", ("#8c564b",), "d"),
     ("lagged", ("#525252", "#8a8a8a", "#b0b0b0", "#d0d0d0"), "<>^v"),
     ("strategy", ("#17becf",), "H"),
+    ("precision", ("#0e7480",), "8"),
     ("bargains", ("#cb181d",), "P"),
 )
 FRONT = "#D55E00"
@@ -118,7 +119,7 @@ def below_reference(axes: Any, study: Study) -> None:
 def own_errors(axes: Any, study: Study, looks: dict[str, dict[str, Any]]) -> None:
     for name, points in by_knob(study.points).items():
         knob = study.knobs[name]
-        if knob.source is None or name == STRATEGY:
+        if knob.source is None or name in (STRATEGY, FACTOR):
             continue
         errors = [(point.seconds.total, own_error(point, knob).largest) for point in points]
         shown = [(time, error) for time, error in errors if error > max(LEAST_SHOWN, RESOLVED)]

@@ -51,6 +51,7 @@ def lagged_knob(scheme: str) -> str:
 MESH_1, MESH_2, GRADED = "mesh, degree 1", "mesh, degree 2", "mesh, degree 2, graded"
 DEGREE, EPSILON, EXACT, RULE = "degree", "epsilon", "exact Coulomb", "contact quadrature"
 NEWTON, ITERATED, STRATEGY = "Newton tolerance", "coupling tolerance", "strategy"
+FACTOR = "precision of the factor"
 
 
 def knobs(facts: Facts) -> Mapping[str, Knob]:
@@ -79,6 +80,7 @@ def knobs(facts: Facts) -> Mapping[str, Knob]:
         ITERATED: Knob("coupling", (1.0, 1.0, 1.0)),
         **lagged,
         STRATEGY: Knob("solver", why="the same solution by another way"),
+        FACTOR: Knob("solver", why="the same solution from half the bytes"),
         DEFAULT: Knob(None),
         PAPER: Knob(None, why="h, k, epsilon and lagged coupling at once"),
         BARGAIN: Knob(None, why="several knobs at once"),
@@ -91,7 +93,7 @@ def scaled(cells: tuple[int, ...] | None, factor: float) -> tuple[int, ...] | No
 
 def as_it_is(facts: Facts) -> Choice:
     return Choice(
-        Solver(facts.solver_tolerance, facts.strategy),
+        Solver(facts.solver_tolerance, facts.strategy, facts.factor),
         Coupling(facts.iterated),
         Time(facts.scheme, facts.steps),
         Regularisation(1.0),
@@ -268,6 +270,9 @@ class Plan:
             yield Configuration(NEWTON, tolerance, replace(base, solver=Solver(tolerance, "auto")))
         for number, strategy in enumerate(("condensed", "newton-krylov")):
             yield Configuration(STRATEGY, number + 1.0, replace(base, solver=Solver(TIGHT, strategy)))
+        for number, factor in enumerate(("double", "single")):
+            choice = replace(base, solver=Solver(TIGHT, "condensed", factor))
+            yield Configuration(FACTOR, number + 1.0, choice)
         if self.facts.coupled:
             for tolerance in (1e-1, 1e-2, 1e-3, 1e-4):
                 yield Configuration(ITERATED, tolerance, replace(base, coupling=Coupling(tolerance)))

@@ -10,9 +10,6 @@
 namespace thermocontact::march {
 namespace {
 
-/// Numbers in both factors beyond which reading half the bytes is worth a start value's defect.
-constexpr double worth_words = 2e6;
-
 /// Both strategies, foreseen.
 struct Prospect {
     solve::Cost condensed, krylov;
@@ -35,14 +32,21 @@ std::string text(const solve::Cost& cost) {
     return gibibytes(cost.bytes) + ", " + about(cost.seconds) + " s";
 }
 
-/// What the scene asks for, or, for "auto", words where doubles would not stay in the caches.
-solve::Storage storage_of_factors(const std::string& asked, const std::vector<solve::BalanceSize>& sizes) {
-    double entries = 0;
+solve::Cost condensed_cost(const std::vector<solve::BalanceSize>& sizes, int steps, solve::Storage storage) {
+    solve::Cost cost;
     for (const solve::BalanceSize& size : sizes) {
-        entries += size.factor_entries;
+        cost += solve::condensed_cost(size, steps, solve::bytes_of(storage));
     }
-    const bool large = entries > worth_words;
-    return asked == "single" || (asked == "auto" && large) ? solve::Storage::words : solve::Storage::doubles;
+    return cost;
+}
+
+/// What the scene asks for, or, for "auto", words where doubles do not fit in `memory`: a step takes as long
+/// with the one as with the other.
+solve::Storage storage_of_factors(const std::string& asked, const std::vector<solve::BalanceSize>& sizes,
+                                  double memory) {
+    const bool too_large = condensed_cost(sizes, 0, solve::Storage::doubles).bytes > memory;
+    return asked == "single" || (asked == "auto" && too_large) ? solve::Storage::words
+                                                               : solve::Storage::doubles;
 }
 
 Prospect foresee(const scene::Scene& scene, const fem::NodeGraph& graph, const fem::Space& space,
@@ -65,10 +69,10 @@ Prospect foresee(const scene::Scene& scene, const fem::NodeGraph& graph, const f
     if (scene.heat) {
         add(1, model::nodes_with(surfaces, space, &scene::Contact::conductance));
     }
-    result.storage = storage_of_factors(scene.solver.factor, sizes);
+    result.storage = storage_of_factors(scene.solver.factor, sizes, memory);
+    result.condensed = condensed_cost(sizes, scene.time.steps, result.storage);
     for (const solve::BalanceSize& size : sizes) {
         result.contact_unknowns += size.contact_unknowns;
-        result.condensed += solve::condensed_cost(size, scene.time.steps, solve::bytes_of(result.storage));
         result.krylov += solve::newton_krylov_cost(size, scene.time.steps);
     }
     result.fits = result.fits && result.condensed.bytes <= memory;

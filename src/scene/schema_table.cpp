@@ -233,7 +233,7 @@ std::vector<Key> run_keys() {
         {.name = "solver.factor", .type = Type::choice, .choices = {"auto", "double", "single"},
          .fallback = R"("auto")", .example = R"("single")",
          .description = "Bits of a number in the condensed strategy's factors, 64 or 32: single corrects each "
-         "solution until it is as good as with double, auto takes it for large factors."},
+         "solution until it is as good as with double, auto takes it where double does not fit in memory."},
         {.name = "solver.tolerance", .type = Type::number,
          .range = {.low = 0, .high = 1e-2, .low_open = true}, .fallback = "1e-12", .example = "1e-10",
          .description = "Relative residual at which a nonlinear solve has converged."},

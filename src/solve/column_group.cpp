@@ -63,6 +63,8 @@ void solve(const std::byte* L, std::int32_t rows, double* __restrict x) {
     }
     const Number* __restrict below = group.below;
     const std::byte* ahead = L + prefetch_reach;
+    prefetch<head_bytes<Number>(width)>(ahead);
+    ahead += head_bytes<Number>(width);
     for (std::int32_t r = width; r < rows;
          r += chunk, below += width * chunk, ahead += chunk_bytes<Number, width>) {
         prefetch<chunk_bytes<Number, width>>(ahead);
@@ -83,6 +85,8 @@ void solve_transposed(const std::byte* L, std::int32_t rows, double* __restrict 
     double sums[width][chunk] = {};
     const Number* __restrict below = group.below;
     const std::byte* ahead = L - prefetch_reach;
+    prefetch<head_bytes<Number>(width)>(ahead);
+    ahead += head_bytes<Number>(width);
     for (std::int32_t r = width; r < rows;
          r += chunk, below += width * chunk, ahead += chunk_bytes<Number, width>) {
         prefetch<chunk_bytes<Number, width>>(ahead);

@@ -99,41 +99,6 @@ TEST_F(OneBalance, AFactorInWordsGivesTheSolutionOfDoubles) {
     EXPECT_EQ(other->factor_use().corrections, before) << "a start value at the solution needs one pass";
 }
 
-/// Conduction with hardly any capacity: of condition 1e12, where words do not contract.
-class HardlyHeld : public OneBalance {
-  protected:
-    fem::BlockMatrix conduction = fem::assemble_matrix(
-        {fem::find_kernel("conduction.conduction", "triangle", 1), at.mesh, {{"K", {1, 0, 0, 1}}}}, at.space,
-        at.graph, 1, 1);
-    std::vector<double> rhs;
-
-    HardlyHeld() {
-        conduction.add(1e-12, matrix);
-        contact.assign(at.node_count(), 0);
-        rhs = matrix.multiply(support::random_numbers(at.node_count()));
-    }
-};
-
-/// Then it is doubles, to the last bit, from there on, and in a problem that takes up where it left.
-TEST_F(HardlyHeld, WhereWordsAreTooCoarseDoublesServe) {
-    const auto one = problem(strategy, conduction), other = problem(in_words, conduction);
-    const std::vector<double> start(at.node_count(), 1.0);
-    const std::vector<double> exact = solve(*one, rhs, start);
-    EXPECT_FALSE(other->kept_derivative());
-    EXPECT_EQ(solve(*other, rhs, start), exact);
-    const FactorUse use = other->factor_use();
-    EXPECT_TRUE(use.too_coarse);
-    EXPECT_FALSE(use.single);
-    EXPECT_EQ(solve(*other, rhs, start), exact);
-    EXPECT_EQ(other->factor_use().corrections, use.corrections);
-    const auto kept = other->kept_derivative();
-    ASSERT_TRUE(kept);
-    const auto next = problem(in_words, conduction);
-    next->take_up(*kept);
-    EXPECT_EQ(solve(*next, rhs, start), exact);
-    EXPECT_EQ(next->factor_use().corrections, 0);
-}
-
 /// cond(T, x) over all unknowns, contact and others, from the condensed factors: within Hager's factor of 3
 /// of the dense one.
 TEST_F(OneBalance, ConditionIsThatOfTheWholeSystem) {

@@ -308,14 +308,6 @@ MUTATIONS = (
         "the condensed equation of a correction is that of the whole",
     ),
     Mutation(
-        "words-forgotten",
-        "src/solve/condensed_problem.cpp",
-        "kept->in_doubles = true;",
-        "kept->in_doubles = false;",
-        "state",
-        "a checkpoint knows where words were too coarse",
-    ),
-    Mutation(
         "backward-error-of-units",
         "src/solve/refinement.cpp",
         "(roots_[i] * size + std::abs(rhs[i]))",

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/physics.h"
+#include "output/dictionary.h"
 
 namespace thermocontact::output {
 namespace {
@@ -37,9 +38,18 @@ std::string facet_cell(const mesh::Mesh& mesh) {
     return mesh.dimension == 2 ? "interval" : mesh.cell == "tetrahedron" ? "triangle" : "quadrilateral";
 }
 
+VtuArray body_array(const std::string& name, std::vector<double> values) {
+    return {name, declared(Place::body, name).components, std::move(values)};
+}
+
+VtuIntegers contact_integers(const std::string& name, std::vector<std::int32_t> values) {
+    return {declared(Place::contact, name).name, std::move(values)};
+}
+
 /// The array of that name, made with zeros [points][components] if it is new: surfaces without the law keep
 /// them.
-VtuArray& array_in(VtuGrid& grid, const std::string& name, int components) {
+VtuArray& array_in(VtuGrid& grid, const std::string& name) {
+    const int components = declared(Place::contact, name).components;
     const auto found = std::ranges::find(grid.point_data, name, &VtuArray::name);
     if (found != grid.point_data.end()) {
         return *found;
@@ -101,19 +111,20 @@ VtuGrid FieldGrids::body() {
     const march::State& state = simulation_->state();
     if (scene_->material && wants("displacement")) {
         grid.point_data.push_back(
-            {"displacement", 3, three_components(state.displacement, scene_->dimension)});
+            body_array("displacement", three_components(state.displacement, scene_->dimension)));
     }
     if (scene_->material && wants("velocity")) {
-        grid.point_data.push_back({"velocity", 3, three_components(state.velocity, scene_->dimension)});
+        grid.point_data.push_back(
+            body_array("velocity", three_components(state.velocity, scene_->dimension)));
     }
     if (scene_->heat && wants("temperature")) {
-        grid.point_data.push_back({"temperature", 1, state.temperature});
+        grid.point_data.push_back(body_array("temperature", state.temperature));
     }
     if (stress_ && wants("stress")) {
-        grid.cell_data.push_back({"stress", 6, stress_->mean_stress()});
+        grid.cell_data.push_back(body_array("stress", stress_->mean_stress()));
     }
     if (stress_ && wants("von_mises")) {
-        grid.cell_data.push_back({"von_mises", 1, stress_->von_mises()});
+        grid.cell_data.push_back(body_array("von_mises", stress_->von_mises()));
     }
     return grid;
 }
@@ -122,7 +133,7 @@ VtuGrid FieldGrids::contact_cells() const {
     const fem::Space& space = simulation_->space();
     const VtkCell cell = vtk_cell(facet_cell(simulation_->mesh()), scene_->degree);
     VtuGrid grid{{}, cell.type, static_cast<int>(cell.nodes.size()), {}, {}, {}, {}, {}};
-    grid.cell_integers.push_back({"boundary", {}});
+    grid.cell_integers.push_back(contact_integers("boundary", {}));
     std::int32_t boundary = 0;
     for (const auto& surface : simulation_->surfaces()) {
         for (const mesh::Facet& facet : surface->facets) {
@@ -156,9 +167,9 @@ void FieldGrids::add_surface(std::size_t index, VtuGrid& grid, std::size_t first
         fields.erase("slip_velocity");
     }
     for (const auto& [name, values] : fields) {
-        const bool is_vector = name == "slip_velocity" || name == "traction";
-        const std::vector<double> stored = is_vector ? three_components(values, scene_->dimension) : values;
-        VtuArray& array = array_in(grid, name, is_vector ? 3 : 1);
+        VtuArray& array = array_in(grid, name);
+        const std::vector<double> stored =
+            array.components == 3 ? three_components(values, scene_->dimension) : values;
         std::ranges::copy(stored,
                           array.values.begin() + static_cast<std::ptrdiff_t>(first) * array.components);
     }
@@ -166,7 +177,8 @@ void FieldGrids::add_surface(std::size_t index, VtuGrid& grid, std::size_t first
 
 VtuGrid FieldGrids::contact() {
     VtuGrid grid = contact_cells();
-    grid.point_integers.push_back({"state", std::vector<std::int32_t>(grid.points.size() / 3)});
+    grid.point_integers.push_back(
+        contact_integers("state", std::vector<std::int32_t>(grid.points.size() / 3)));
     std::size_t first = 0;
     for (std::size_t i = 0; i < simulation_->surfaces().size(); ++i) {
         const std::size_t count =

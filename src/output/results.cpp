@@ -7,6 +7,7 @@
 
 #include "error.h"
 #include "number.h"
+#include "output/dictionary.h"
 #include "output/earlier_results.h"
 #include "output/files.h"
 #include "output/summary.h"
@@ -29,7 +30,7 @@ std::string piece(int rank) {
 void write_row(std::ofstream& file, const march::Record& record, bool names) {
     std::string row;
     for (const auto& [name, value] : record) {
-        row += (row.empty() ? "" : ",") + (names ? name : exact_text(value));
+        row += (row.empty() ? "" : ",") + (names ? declared(Place::history, name).name : exact_text(value));
     }
     file << row << '\n' << std::flush;
 }
@@ -129,7 +130,10 @@ void Results::add_rows(const march::Record& record) {
 void Results::add_attempts() {
     std::string rows;
     if (!steps_have_header_) {
-        rows = "step,time,size,error_estimate,field,outcome\n";
+        for (const Quantity& column : quantities(Place::steps)) {
+            rows += (rows.empty() ? "" : ",") + column.name;
+        }
+        rows += "\n";
         steps_have_header_ = true;
     }
     for (const march::Attempt& attempt : simulation_->attempts()) {

@@ -23,15 +23,21 @@ Json final_state(march::Simulation& simulation) {
     }
     result["contact"] = Json::object();
     for (const auto& [name, measures] : simulation.contact_measures()) {
-        result["contact"][name] = {
-            {"normal_force", measures.normal_force},       {"tangential_force", measures.tangential_force},
-            {"max_penetration", measures.max_penetration}, {"contact_fraction", measures.contact_fraction},
-            {"slip_fraction", measures.slip_fraction},     {"heat_flow", measures.heat_flow}};
+        Json& values = result["contact"][name];
+        for (const auto& [quantity, value] : contact_values(measures)) {
+            values[quantity] = value;
+        }
     }
     return result;
 }
 
 }  // namespace
+
+march::Record contact_values(const model::ContactMeasures& measures) {
+    return {{"normal_force", measures.normal_force},       {"tangential_force", measures.tangential_force},
+            {"max_penetration", measures.max_penetration}, {"contact_fraction", measures.contact_fraction},
+            {"slip_fraction", measures.slip_fraction},     {"heat_flow", measures.heat_flow}};
+}
 
 std::string version_text() {
     return std::string(THERMOCONTACT_VERSION) + " (" + fem::kernel_provenance() + ")";

@@ -54,8 +54,8 @@ MUTATIONS = (
     Mutation(
         "fields-velocity",
         "src/output/fields.cpp",
-        '{"velocity", 3, three_components(state.velocity, scene_->dimension)}',
-        '{"velocity", 3, three_components(state.displacement, scene_->dimension)}',
+        'body_array("velocity", three_components(state.velocity, scene_->dimension))',
+        'body_array("velocity", three_components(state.displacement, scene_->dimension))',
         "index",
         "the field of that name",
     ),

@@ -4,4 +4,4 @@ set -eu
 . "$(dirname "$0")/../.ci/environment.sh"
 [ "${1-}" = --mend ] && how="-i" || how="--dry-run -Werror"
 # shellcheck disable=SC2086  # a list of words
-find src tests verification -name '*.cpp' -o -name '*.h' -o -name '*.c' | sort | xargs clang-format $how
+find src tests verification docs examples -name '*.cpp' -o -name '*.h' -o -name '*.c' | sort | xargs clang-format $how

@@ -7,7 +7,8 @@ packages="g++ clang clang-format libclang-rt-dev cmake ninja-build pkg-config
     libbasix-dev libcli11-dev libeigen3-dev libgmsh-dev libmetis-dev libmuparser-dev libopenblas-pthread-dev
     libopenblas0-pthread libopenmpi-dev petsc-dev
     libhdf5-dev libspectra-dev libsuitesparse-dev libtomlplusplus-dev nlohmann-json3-dev libgtest-dev
-    python3 python3-dolfinx python3-ffcx python3-gmsh python3-matplotlib python3-mpmath python3-scipy openmpi-bin
+    python3 python3-dolfinx python3-ffcx python3-gmsh python3-markdown python3-matplotlib python3-mpmath python3-scipy
+    openmpi-bin fish man-db mandoc zsh
     $*"
 
 missing=""

@@ -16,6 +16,8 @@ using scene::did_you_mean;
 using scene::one_line;
 using scene::one_of;
 
+const std::vector<std::string> formats = {"toml", "json", "markdown"};
+
 struct Words {
     std::string scene;
     std::string output;
@@ -263,7 +265,6 @@ Command command_of(const Parser& parser) {
     if (&command == parser.view) {
         return view_command(words);
     }
-    const std::vector<std::string> formats = {"toml", "json", "markdown"};
     if (std::find(formats.begin(), formats.end(), words.format) == formats.end()) {
         throw SceneError("schema: --format: expected " + one_of(formats) + ", found \"" +
                          one_line(words.format) + '"' + did_you_mean(words.format, formats));
@@ -271,7 +272,37 @@ Command command_of(const Parser& parser) {
     return SchemaCommand{words.format};
 }
 
+/// Of what follows an option, by what its help calls it.
+std::vector<std::string> choices_of(const std::string& value) {
+    if (value == "FORMAT") {
+        return formats;
+    }
+    return value == "QUANTITY" ? plan::quantity_names() : std::vector<std::string>{};
+}
+
+CommandHelp describe(const CLI::App& command) {
+    CommandHelp result{
+        command.get_parent() == nullptr ? "" : command.get_name(), command.get_description(), {}};
+    for (const CLI::Option* option : command.get_options()) {
+        const bool is_argument = option->get_positional();
+        const std::string value = option->get_expected_max() > 0 ? option->get_type_name() : "";
+        result.options.push_back({is_argument ? option->get_name(true) : option->get_name(false, true), value,
+                                  option->get_description(), choices_of(value),
+                                  option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll});
+    }
+    return result;
+}
+
 }  // namespace
+
+std::vector<CommandHelp> describe_commands() {
+    const Parser parser;
+    std::vector<CommandHelp> result{describe(parser.app)};
+    for (const CLI::App* command : parser.app.get_subcommands([](const CLI::App*) { return true; })) {
+        result.push_back(describe(*command));
+    }
+    return result;
+}
 
 Command parse_command_line(int argc, const char* const* argv) {
     // what follows "--" is PETSc's

@@ -51,6 +51,24 @@ struct HelpCommand {
 using Command = std::variant<RunCommand, PlanCommand, CheckCommand, ViewCommand, SchemaCommand,
                              VersionCommand, HelpCommand>;
 
+/// An option or an argument as its help says.
+struct OptionHelp {
+    std::string name;                  ///< "--output"; "SCENE" of an argument
+    std::string value;                 ///< what follows it: "DIR"; empty: nothing
+    std::string help;                  ///< without a full stop
+    std::vector<std::string> choices;  ///< of the value; empty: any
+    bool repeatable;
+};
+
+struct CommandHelp {
+    std::string name;  ///< empty: what stands before any command
+    std::string help;
+    std::vector<OptionHelp> options;
+};
+
+/// What parse_command_line() understands, for the manual and the shells; the program itself first.
+std::vector<CommandHelp> describe_commands();
+
 /// Throws SceneError with one line that says what is wrong and names the nearest command or option.
 Command parse_command_line(int argc, const char* const* argv);
 

@@ -166,5 +166,32 @@ TEST(CommandLine, WordsBehindTheDashesArePetscs) {
     EXPECT_EQ(message({"--", "run"}), message({}));
 }
 
+/// "NAME VALUE" of each option of a command, with "..." where it may be repeated.
+std::vector<std::string> described(const CommandHelp& command) {
+    std::vector<std::string> result;
+    for (const OptionHelp& option : command.options) {
+        result.push_back(option.name + (option.value.empty() ? "" : " " + option.value) +
+                         (option.repeatable ? "..." : ""));
+    }
+    return result;
+}
+
+TEST(CommandLine, DescribesItself) {
+    const std::vector<CommandHelp> commands = describe_commands();
+    using Words = std::vector<std::string>;
+    ASSERT_EQ(commands.size(), 6u);
+    EXPECT_EQ(commands[0].name, "");
+    EXPECT_EQ(described(commands[0]), (Words{"-h,--help", "--version"}));
+    EXPECT_EQ(commands[1].name, "run");
+    EXPECT_EQ(described(commands[1]),
+              (Words{"-h,--help", "SCENE FILE", "--set KEY=VALUE...", "--output DIR", "--restart CHECKPOINT",
+                     "--quiet", "--accuracy NUMBER", "--budget TIME", "--of QUANTITY"}));
+    EXPECT_EQ(commands[1].options.back().choices.front(), "norms");
+    EXPECT_EQ(commands.back().options.back().choices, (Words{"toml", "json", "markdown"}));
+    for (const std::string& format : commands.back().options.back().choices) {
+        EXPECT_EQ(as<SchemaCommand>({"schema", "--format", format.c_str()}).format, format);
+    }
+}
+
 }  // namespace
 }  // namespace thermocontact::app

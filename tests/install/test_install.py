@@ -55,6 +55,13 @@ class Installed(unittest.TestCase):
             "bin/thermocontact-petsc",
             "include/thermocontact/embed/scene_run.h",
             "include/thermocontact/error.h",
+            "share/man/man1/thermocontact.1",
+            "share/man/man5/thermocontact-scene.5",
+            "share/bash-completion/completions/thermocontact",
+            "share/zsh/site-functions/_thermocontact",
+            "share/fish/vendor_completions.d/thermocontact.fish",
+            "share/doc/thermocontact/index.md",
+            "share/doc/thermocontact/audits.md",
             "share/thermocontact/scenes/meshes/brake-pad.msh",
         ):
             self.assertTrue((self.prefix / file).is_file(), file)

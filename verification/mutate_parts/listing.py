@@ -3,6 +3,7 @@
 from . import (
     adaptive,
     app,
+    embed,
     fem,
     forms,
     march,
@@ -34,4 +35,5 @@ MUTATIONS: tuple[Mutation, ...] = (
     *parallel.MUTATIONS,
     *plan.MUTATIONS,
     *app.MUTATIONS,
+    *embed.MUTATIONS,
 )

@@ -1,7 +1,7 @@
 # Debian packages: `cmake --workflow --preset package` makes them from a build for any machine of the architecture.
 #
 # Two packages. Who runs scenes needs the programs and shared libraries; who builds with the library needs the -dev packages
-# of all that the static library links with, half a gigabyte that would else come along for nothing. The program with PETSc
+# of all that the static library links with, which would else come along for nothing. The program with PETSc
 # is in the first one: "auto" may choose it, and without it a scene would run or not by its size.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME thermocontact)

@@ -43,7 +43,7 @@ class Command:
     @property
     def takes_scene(self) -> bool:
         """Whether a scene file is an argument."""
-        return any(option.is_argument for option in self.options)
+        return any(option.name == "SCENE" for option in self.options)
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ def _usage(option: Option) -> str:
 
 def _synopsis(command: Command) -> str:
     words = [bold("thermocontact"), bold(command.name)]
-    words += [italic("SCENE.toml")] if command.takes_scene else []
+    words += [italic(option.name) for option in command.options if option.is_argument]
     words += [_usage(option) for option in command.flags if "--help" not in option.names]
     return " ".join(words)
 

@@ -45,20 +45,6 @@ Json factors(march::Simulation& simulation) {
     return result;
 }
 
-/// Of each balance that has one.
-Json factors(march::Simulation& simulation) {
-    Json result = Json::object();
-    for (const march::Balance* balance : simulation.balances()) {
-        if (balance->factor_entries() > 0) {
-            const solve::FactorUse use = balance->factor_use();
-            result[balance->name()] = {{"numbers", use.single ? "single" : "double"},
-                                       {"why", use.too_coarse ? "single was too coarse" : ""},
-                                       {"corrections", use.corrections}};
-        }
-    }
-    return result;
-}
-
 }  // namespace
 
 march::Record contact_values(const model::ContactMeasures& measures) {

@@ -181,7 +181,7 @@ std::vector<std::string> described(const CommandHelp& command) {
 TEST(CommandLine, DescribesItself) {
     const std::vector<CommandHelp> commands = describe_commands();
     using Words = std::vector<std::string>;
-    ASSERT_EQ(commands.size(), 5u);
+    ASSERT_EQ(commands.size(), 7u);
     EXPECT_EQ(commands[0].name, "");
     EXPECT_EQ(described(commands[0]), (Words{"-h,--help", "--version"}));
     EXPECT_EQ(commands[1].name, "run");
@@ -189,8 +189,8 @@ TEST(CommandLine, DescribesItself) {
               (Words{"-h,--help", "SCENE FILE", "--set KEY=VALUE...", "--output DIR", "--restart CHECKPOINT",
                      "--quiet", "--accuracy NUMBER", "--budget TIME", "--of QUANTITY"}));
     EXPECT_EQ(commands[1].options.back().choices.front(), "norms");
-    EXPECT_EQ(commands[4].options.back().choices, (Words{"toml", "json", "markdown"}));
-    for (const std::string& format : commands[4].options.back().choices) {
+    EXPECT_EQ(commands[5].options.back().choices, (Words{"toml", "json", "markdown"}));
+    for (const std::string& format : commands[5].options.back().choices) {
         EXPECT_EQ(as<SchemaCommand>({"schema", "--format", format.c_str()}).format, format);
     }
 }

@@ -47,6 +47,7 @@ Quantities energy_columns() {
         {"load_work", "J", "Work of body forces and tractions in the step."},
         {"thermal_work", "J", "Work of the thermal stress in the step."},
         {"reaction_work", "J", "Work of the reactions where the displacement is prescribed; 0 where that does not move."},
+        {"foundation_work", "J", "Work that a foundation that moves does by friction in the step; 0 where none moves."},
         {"energy_residual", "", "What is lacking in the balance of these energies, over the sum of their magnitudes."},
     };
 }
@@ -76,6 +77,9 @@ Quantities heat_columns() {
         {"prescribed_temperature_inflow", "W", "Heat that flows in where the temperature is prescribed."},
         {"load_heat_inflow", "W", "Heat of sources and prescribed fluxes."},
         {"strain_heat_inflow", "W", "Heat of the strain, (R : eps(u), 1)."},
+        {"strain_rate_heat_inflow", "W", "Heat of the strain rate, (R' : eps(w), 1)."},
+        {"friction_heat_inflow", "W", "The body's share of what friction dissipates."},
+        {"convection_heat_outflow", "W", "Heat that convection carries away."},
         {"heat_residual", "",
          "What is lacking in storage + outflow = inflows, over the nodal magnitudes of these flows."},
     };
@@ -89,21 +93,43 @@ Quantities contact_columns() {
     };
 }
 
+Quantities mesh_columns() {
+    return {
+        {"cells", "", "Cells of the mesh that the step was made on. With mesh.refinement, as are the following."},
+        {"mesh_looks", "", "Solutions of the step whose error in space was estimated; all but the last were not accepted."},
+        {"error_in_space", "", "The last estimate of the error in space, relative."},
+        {"kinetic_energy_of_remeshing", "J", "Kinetic energy that carrying the fields to the step's mesh added."},
+        {"strain_energy_of_remeshing", "J", "Strain energy likewise."},
+        {"heat_of_remeshing", "J", "Heat likewise."},
+    };
+}
+
 Quantities general_entries() {
     return {
         {"status", "", "\"completed\", \"failed\" or \"interrupted\"."},
         {"version", "", "Of the program, of FFCx and UFL, and a digest of the forms."},
         {"reason", "", "Why the run was not completed. Absent where it was."},
-        {"warning", "", "A balance of whose solution rounding leaves fewer than six digits. Absent where there is none."},
+        {"warning", "", "Balances of whose solution rounding leaves fewer than six digits, and those not kept to 1e-8. Absent where there is none."},
         {"physics", "", "List of the physics that the scene switches on."},
         {"mesh.cells", "", "Number of cells."},
         {"mesh.vertices", "", "Number of vertices."},
         {"mesh.unknowns.displacement", "", "Unknowns of the displacement; 0 without mechanics."},
         {"mesh.unknowns.temperature", "", "Unknowns of the temperature; 0 without heat."},
+        {"mesh.refinement.looks", "", "Solutions whose error in space was estimated. With mesh.refinement, as are the following."},
+        {"mesh.refinement.repeated_steps", "", "Solutions that were not accepted, as the mesh was too coarse."},
+        {"mesh.refinement.coarser_meshes", "", "Steps before which cells were joined."},
+        {"mesh.refinement.beyond_tolerance", "", "Steps accepted above the tolerance, as limits were met."},
+        {"mesh.refinement.largest_error", "", "Largest estimate that was accepted, relative."},
+        {"mesh.refinement.last_error", "", "The last estimate."},
+        {"mesh.refinement.fewest_cells", "", "Cells of the coarsest mesh of a step."},
+        {"mesh.refinement.most_cells", "", "Cells of the finest."},
         {"solver.strategy", "", "The strategy that solved: \"condensed\" or \"newton-krylov\"."},
         {"solver.why", "", "Why that one, with the times and memory foreseen where it was chosen."},
         {"solver.processes", "", "Number of processes."},
         {"solver.factor_entries", "", "Numbers stored in the Cholesky factors of both balances."},
+        {"solver.factors.BALANCE.numbers", "", "Precision in which the factor's numbers are stored: \"single\" or \"double\"."},
+        {"solver.factors.BALANCE.why", "", "\"single was too coarse\" where corrections did not contract; else empty."},
+        {"solver.factors.BALANCE.corrections", "", "Further passes of steps that took a single-precision factor."},
         {"solver.contact_unknowns", "", "Unknowns that the contact laws depend on, of both balances."},
         {"steps", "", "Steps completed."},
         {"restarted_after_step", "", "The step of the checkpoint that the run went on from. Absent without restart."},
@@ -198,7 +224,7 @@ Quantities plan_entries() {
 
 Quantities history_columns() {
     Quantities all = how_the_step_went();
-    for (const Quantities& more : {energy_columns(), force_columns(), heat_columns(), contact_columns()}) {
+    for (const Quantities& more : {energy_columns(), force_columns(), heat_columns(), contact_columns(), mesh_columns()}) {
         append(all, more);
     }
     return all;
@@ -233,7 +259,7 @@ Quantities contact_fields() {
         {"gap", "m", "Distance to the foundation, g - u.n; negative where the body penetrates."},
         {"pressure", "Pa", "Contact pressure p_n. With compliance."},
         {"traction", "Pa", "Tangential traction of the foundation on the body. With friction.", 3},
-        {"slip_velocity", "m/s", "Tangential velocity. With mechanics.", 3},
+        {"slip_velocity", "m/s", "Tangential velocity over the foundation. With mechanics.", 3},
         {"heat_flow", "W/m^2", "Heat that flows into the foundation. With conductance."},
     };
 }

@@ -8,8 +8,8 @@ namespace thermocontact::march {
 namespace {
 
 TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
-    State state{3,    0.25, {1, 2}, {3, 4}, {5}, {20, 21}, 0.1,      {6, 7}, {8, 9}, {10}, 0.2, 4,
-                {22}, {23}, 2,      5,      0.3, {11, 12}, {13, 14}, {15},   16,     17,   18,  19};
+    State state{3,    0.25, {1, 2}, {3, 4}, {5},      {20, 21}, 0.1,  {6, 7}, {8, 9}, {10}, 0.2, 4,  {22},
+                {23}, 2,    5,      0.3,    {11, 12}, {13, 14}, {15}, 16,     17,     18,   19,  24, 25};
     std::vector<std::string> names;
     visit_members(std::as_const(state), [&](const std::string& name, const auto&) { names.push_back(name); });
     EXPECT_EQ(names, (std::vector<std::string>{"step",
@@ -35,7 +35,9 @@ TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
                                                "displacement_scale",
                                                "deformation_scale",
                                                "velocity_scale",
-                                               "temperature_scale"}));
+                                               "temperature_scale",
+                                               "deformation_energy",
+                                               "heat_energy"}));
     visit_members(state, [](const std::string&, auto& member) { member = {}; });
     EXPECT_EQ(state.step, 0);
     EXPECT_EQ(state.time, 0);

@@ -66,7 +66,9 @@ class CheckpointFile : public testing::Test {
                                      13,
                                      14,
                                      15,
-                                     16};
+                                     16,
+                                     19,
+                                     20};
         checkpoint.snapshot.totals = {17, 4,  2,     5,  6,   7,     0.25,  8,    9,
                                       10, 11, 4e-10, 12, 0.5, 1e-14, 2e-14, 3e-14};
         checkpoint.snapshot.kept = {{"momentum", {{0.125, {2, {0, 3}, {0.1, -7}}}, {0.5, {2, {1}, {3}}}}},

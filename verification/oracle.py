@@ -4,7 +4,8 @@
         [--solver amg] [--follow DIR]
 
 Where time.tolerance adapts the steps, `--follow` names the results of the driver, whose steps.csv says which steps it
-has taken: the oracle judges what is solved in them, not how they were chosen (adaptive.py does).
+has taken: the oracle judges what is solved in them, not how they were chosen (adaptive.py does). So with the meshes of
+mesh.refinement, which are those of the driver's fields at each step (refinement.py judges how they are chosen).
 
 Each step solves, first, the momentum balance for the velocity w_s at its stage (time_steps.py; of backward Euler, its
 end), with u_s = u_b + tau w_s and u_b, w_b, theta_b what the step knows of these before,
@@ -26,6 +27,7 @@ Physics that the scene leaves out contributes no form. Exit codes: 0 completed, 
 import argparse
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -36,7 +38,9 @@ from petsc4py import PETSc
 
 from oracle_parts.balances import HeatBalance, Momentum
 from oracle_parts.course import Parts, equal_steps, followed_steps
+from oracle_parts.domain import follow as follow_mesh
 from oracle_parts.errors import NumericsError, SceneError
+from oracle_parts.followed_mesh import Carrier, read_mesh
 from oracle_parts.problem import Problem, apply_voigt, strain
 from oracle_parts.results import CellStress, FieldWriter, History, Stopwatch
 from oracle_parts.scene import Scene, read_scene
@@ -125,38 +129,103 @@ def diagnostics(problem: Problem, momentum: Momentum | None, heat: HeatBalance |
     return values
 
 
+class March:
+    """The balances on the mesh at hand, and what follows when that changes."""
+
+    def __init__(self, problem: Problem, directory: Path, watch: Stopwatch, follow: Path | None) -> None:
+        self.directory, self.watch, self.follow = directory, watch, follow
+        self.base, self.datasets = problem.body, []
+        self.mesh = read_mesh(follow, 0) if problem.scene.adapts_mesh else None
+        self.solver_seconds = 0.0
+        self._settle(problem)
+
+    def _settle(self, problem: Problem) -> None:
+        scene = problem.scene
+        self.problem = problem
+        self.momentum = Momentum(problem) if scene.material else None
+        self.heat = HeatBalance(problem) if scene.heat else None
+        fields = {"displacement": problem.u, "velocity": problem.w, "temperature": problem.theta}
+        state = {name: function for name, function in fields.items() if function is not None}
+        wants_stress = bool({"stress", "von_mises"} & set(scene.fields))
+        stress = cell_stress(problem) if wants_stress else None
+        writer = FieldWriter(self.directory, scene, problem.mesh, problem.Q, state, stress, problem.contacts)
+        writer.datasets = self.datasets
+        self.writer = writer
+
+    @property
+    def balances(self) -> list[Any]:
+        return [balance for balance in (self.momentum, self.heat) if balance]
+
+    @property
+    def evolutions(self) -> list[Any]:
+        of_momentum = [self.momentum.u, self.momentum.w] if self.momentum else []
+        return of_momentum + ([self.heat.theta] if self.heat else [])
+
+    def factor_seconds(self) -> float:
+        equations = [balance.equations for balance in self.balances]
+        return self.solver_seconds + sum(equation.solver_seconds for equation in equations)
+
+    def change_mesh(self, step: int, time: float) -> None:
+        """To that of the step, where it is another; before the first one, what the scene begins with is there anew."""
+        next_mesh = read_mesh(self.follow, step)
+        assert self.mesh is not None
+        if next_mesh.same_as(self.mesh):
+            return
+        old, evolutions = self.problem, self.evolutions
+        self.mesh, self.solver_seconds = next_mesh, self.factor_seconds()
+        scene = replace(old.scene, places=next_mesh.nodes)
+        body = follow_mesh(old.mesh.comm, scene, self.base, next_mesh)
+        self._settle(Problem(old.mesh.comm, scene, old.solver, body))
+        for side in self.problem.contacts:
+            side.update(time)
+        if step == 1:
+            return
+        for before, now in zip(evolutions, self.evolutions):
+            carry = Carrier(before.function.function_space, now.function.function_space, scene.degree)
+            now.function.x.array[:] = carry(before.function.x.array)
+            now.rate = carry(before.rate)
+        for balance, function in ((self.momentum, self.problem.u), (self.heat, self.problem.theta)):
+            if balance:
+                balance.prescribed.apply(function, time, lambda values, _: values)
+
+
 def march(
-    problem: Problem, parts: Parts, directory: Path, watch: Stopwatch, history: History, quiet: bool
-) -> None:
+    problem: Problem,
+    parts: Parts,
+    directory: Path,
+    watch: Stopwatch,
+    history: History,
+    quiet: bool,
+    follow: Path | None,
+) -> Problem:
+    """Returns the problem at the end, which is another one where the mesh has changed."""
     scene, comm = problem.scene, problem.mesh.comm
-    momentum = Momentum(problem) if scene.material else None
-    heat = HeatBalance(problem) if scene.heat else None
-    fields = {"displacement": problem.u, "velocity": problem.w, "temperature": problem.theta}
-    state = {name: function for name, function in fields.items() if function is not None}
-    wants_stress = bool({"stress", "von_mises"} & set(scene.fields))
-    stress = cell_stress(problem) if wants_stress else None
-    writer = FieldWriter(directory, scene, problem.mesh, problem.Q, state, stress, problem.contacts)
+    course = March(problem, directory, watch, follow)
     watch.seconds["setup"] = watch.totals()["total"]
 
     with watch.timing("output"):
-        writer.write(0, 0.0)
+        course.writer.write(0, 0.0)
     before: float | None = None
     time = 0.0
     for step in range(1, scene.steps + 1):
         with watch.timing("steps"):
+            if scene.adapts_mesh:
+                course.change_mesh(step, time)
+            problem = course.problem
             iterations = 0
             for end, size in parts[step]:
-                iterations += take(problem, step_of(scene.radius, time, end, size, before), momentum, heat)
+                one = step_of(scene.radius, time, end, size, before)
+                iterations += take(problem, one, course.momentum, course.heat)
                 time, before = end, size
-            values = diagnostics(problem, momentum, heat)
+            values = diagnostics(problem, course.momentum, course.heat)
         history.append(step, time, iterations, values)
         with watch.timing("output"):
             if step % scene.every == 0 or step == scene.steps:
-                writer.write(step, time)
+                course.writer.write(step, time)
         if comm.rank == 0 and not quiet:
             print(f"step {step}/{scene.steps}  t = {time:g}  Newton iterations {iterations}", flush=True)
-    equations = [balance.equations for balance in (momentum, heat) if balance]
-    watch.seconds["factor"] = sum(equation.solver_seconds for equation in equations)
+    watch.seconds["factor"] = course.factor_seconds()
+    return problem
 
 
 def run(comm: Any, scene: Scene, directory: Path, quiet: bool, solver: str, follow: Path | None) -> None:
@@ -170,7 +239,7 @@ def run(comm: Any, scene: Scene, directory: Path, quiet: bool, solver: str, foll
     history = History(directory, comm)
     failure: NumericsError | None = None
     try:
-        march(problem, parts, directory, watch, history, quiet)
+        problem = march(problem, parts, directory, watch, history, quiet, follow)
     except NumericsError as caught:
         failure = caught
     history.close()
@@ -187,7 +256,7 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("scene", type=Path)
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="settings")
-    parser.add_argument("--follow", type=Path, metavar="DIR", help="results whose adaptive steps to take")
+    parser.add_argument("--follow", type=Path, metavar="DIR", help="results whose steps and meshes to take")
     parser.add_argument("--quiet", action="store_true")
     parser.add_argument("--solver", choices=("direct", "amg"), default="direct", help="MUMPS, or multigrid")
     options = parser.parse_args(arguments)

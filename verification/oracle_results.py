@@ -47,6 +47,9 @@ def _place(scene: Path, settings: Sequence[str], ranks: int, followed: Path | No
         digest.update(file.read_bytes())
     if followed is not None and (followed / "steps.csv").exists():
         digest.update((followed / "steps.csv").read_bytes())
+    if followed is not None and "refinement" in scene.read_text(encoding="utf-8") + " ".join(settings):
+        for file in sorted((followed / "fields").glob("body_*")):
+            digest.update(file.read_bytes())
     Path(folder).mkdir(parents=True, exist_ok=True)
     return Path(folder).resolve() / digest.hexdigest()[:32]
 

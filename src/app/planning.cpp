@@ -4,6 +4,7 @@
 
 #include "app/exit_code.h"
 #include "app/interruption.h"
+#include "error.h"
 
 namespace thermocontact::app {
 
@@ -12,6 +13,11 @@ int with_bench(const plan::SceneSource& scene, plan::Quantity of, const parallel
     catch_interruptions();
     try {
         plan::Bench bench(scene, of, backend, throw_if_interrupted);
+        if (bench.scene().mesh.refinement) {
+            throw SceneError(scene.path.string() +
+                             ": mesh.refinement.tolerance: a plan chooses the mesh itself; leave [mesh.refinement] "
+                             "out, or run without --accuracy and --budget");
+        }
         return work(bench);
     } catch (const parallel::BackendNeeded&) {
         parallel::continue_with_petsc();

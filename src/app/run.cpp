@@ -9,6 +9,7 @@
 #include "app/interruption.h"
 #include "app/process_age.h"
 #include "error.h"
+#include "march/adaptive_march.h"
 #include "output/folder_claim.h"
 #include "output/progress.h"
 #include "output/results.h"
@@ -19,14 +20,16 @@ namespace thermocontact::app {
 namespace {
 
 /// Marches until the end or a signal; returns the signal, or 0.
-int march_on(march::Simulation& simulation, output::Results& results, output::Progress& progress,
+int march_on(march::AdaptiveMarch& march, output::Results& results, output::Progress& progress,
              output::Seconds& seconds, const parallel::Backend* backend, const RunWatch* watch) {
-    int signal = static_cast<int>(simulation.team().max(caught_signal()));
-    while (!simulation.finished() && signal == 0) {
+    int signal = static_cast<int>(march.simulation().team().max(caught_signal()));
+    while (!march.simulation().finished() && signal == 0) {
         timed(seconds.steps, [&] {
             const parallel::Phase phase(backend, "steps");
-            simulation.advance();
+            march.advance();
         });
+        march::Simulation& simulation = march.simulation();
+        results.follow(simulation, march.mesh_number());
         timed(seconds.output, [&] {
             const parallel::Phase phase(backend, "output");
             const march::Record row = results.add_step();
@@ -58,10 +61,12 @@ std::optional<output::Checkpoint> read_earlier(const RunCommand& command, const 
 }
 
 /// Assembles and factors; a scene that cannot be factored leaves a summary that says so.
-std::unique_ptr<march::Simulation> prepare(const scene::Scene& scene, const RunCommand& command,
-                                           const parallel::Backend* backend) {
+std::unique_ptr<march::AdaptiveMarch> prepare(const scene::Scene& scene, const RunCommand& command,
+                                              const std::optional<output::Checkpoint>& earlier,
+                                              const parallel::Backend* backend) {
     try {
-        return std::make_unique<march::Simulation>(scene, model::Sources{}, backend);
+        return std::make_unique<march::AdaptiveMarch>(scene, model::Sources{}, backend,
+                                                      earlier ? &earlier->snapshot : nullptr);
     } catch (const parallel::BackendNeeded&) {
         parallel::continue_with_petsc();
     } catch (const NumericsError& error) {
@@ -87,30 +92,29 @@ int run(const RunCommand& command, const parallel::Backend* backend, const RunWa
     const std::optional<output::Checkpoint> earlier = read_earlier(command, scene, backend);
     // before the work, which a folder that cannot be written to would waste
     output::FolderClaim folder(command.output, parallel::team_of(backend));
-    const auto simulation = prepare(scene, command, backend);
-    if (earlier) {
-        simulation->resume(earlier->snapshot);
-    }
+    const auto march = prepare(scene, command, earlier, backend);
     output::Seconds seconds;
-    seconds.factor = simulation->factor_seconds();
+    seconds.factor = march->simulation().factor_seconds();
     seconds.start = start;
     seconds.setup = since_start.seconds() - seconds.factor;
-    progress.header(*simulation);
+    progress.header(march->simulation());
 
     output::Results results = timed(seconds.output, [&] {
-        return output::Results(std::move(folder), scene, *simulation, earlier ? &*earlier : nullptr);
+        return output::Results(std::move(folder), scene, march->simulation(), earlier ? &*earlier : nullptr);
     });
     const auto finish = [&](const std::string& status, const std::string& reason) {
+        march::Simulation& simulation = march->simulation();
+        results.follow(simulation, march->mesh_number());
         std::vector<output::BalanceCondition> conditions;
         timed(seconds.output, [&] {
             results.add_fields();
             results.add_checkpoint();
-            conditions = output::conditions(*simulation);
+            conditions = output::conditions(simulation);
         });
         seconds.total = start + since_start.seconds();
-        seconds.steps -= simulation->factor_seconds() - seconds.factor;  // for step sizes met on the way
-        seconds.factor = simulation->factor_seconds();
-        const bool planned = watch != nullptr && simulation->finished();
+        seconds.steps -= simulation.factor_seconds() - seconds.factor;  // for step sizes met on the way
+        seconds.factor = simulation.factor_seconds();
+        const bool planned = watch != nullptr && simulation.finished();
         results.finish(status, reason, seconds, conditions,
                        planned ? watch->end(seconds) : nlohmann::ordered_json{});
         if (const std::string text = output::warning(conditions); !text.empty() && speaks && !command.quiet) {
@@ -119,15 +123,15 @@ int run(const RunCommand& command, const parallel::Backend* backend, const RunWa
     };
     int signal = 0;
     try {
-        signal = march_on(*simulation, results, progress, seconds, backend, watch);
+        signal = march_on(*march, results, progress, seconds, backend, watch);
     } catch (const NumericsError& error) {
         finish("failed", error.what());
         throw;
     }
-    if (!simulation->finished()) {
+    if (!march->simulation().finished()) {
         finish("interrupted", "signal " + std::to_string(signal));
         if (speaks) {
-            std::cerr << "thermocontact: interrupted after step " << simulation->state().step
+            std::cerr << "thermocontact: interrupted after step " << march->simulation().state().step
                       << "; results so far in " << command.output.string() << "\n";
         }
         return exit_of_signal(signal);

@@ -263,6 +263,10 @@ double Heat::temperature_norm(const std::vector<double>& theta) const {
     return norm(theta, (gram_ ? *gram_ : *capacity_).multiply(theta));
 }
 
+double Heat::content(const State& state) const {
+    return team_->sum(capacity_ ? as_eigen(capacity_->multiply(state.temperature)).sum() : 0.0);
+}
+
 double Heat::norm(const std::vector<double>& theta, const std::vector<double>& product) const {
     // the capacity matrix is c times the Gram matrix
     const double square =

@@ -66,6 +66,9 @@ class Heat {
     /// ||theta||_L2.
     double temperature_norm(const std::vector<double>& theta) const;
 
+    /// The heat that a state holds, J.
+    double content(const State& state) const;
+
     Balance& balance() { return *balance_; }
     const Balance& balance() const { return *balance_; }
 

@@ -291,6 +291,14 @@ double Momentum::strain_norm(std::vector<double> u) const {
     return norm(strain_gram_, u);
 }
 
+double Momentum::kinetic_energy(const State& state) const {
+    return mass_ ? std::pow(norm(*mass_, state.velocity), 2) / 2 : 0.0;
+}
+
+double Momentum::strain_energy(const State& state) const {
+    return stiffness_ ? std::pow(elastic_norm(state.displacement), 2) / 2 : 0.0;
+}
+
 double Momentum::norm(const fem::BlockMatrix& gram, const std::vector<double>& v) const {
     return std::sqrt(std::max(0.0, team_->sum(gram.quadratic_form(v))));
 }

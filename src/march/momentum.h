@@ -66,6 +66,10 @@ class Momentum {
     double velocity_norm(const std::vector<double>& w) const;
     double strain_norm(std::vector<double> u) const;
 
+    /// Energies of a state, J.
+    double kinetic_energy(const State& state) const;
+    double strain_energy(const State& state) const;
+
     Balance& balance() { return *balance_; }
     const Balance& balance() const { return *balance_; }
 

@@ -18,10 +18,11 @@ namespace {
 constexpr int most_coupling_iterations = 50;
 constexpr std::size_t adaptive_systems = 12;  ///< kept of each balance: a rung each, and changes between two
 
-parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend) {
+parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend,
+                         const mesh::Mesh* given) {
     const parallel::Team& team = parallel::team_of(backend);
     const parallel::Phase phase(backend, "mesh");
-    mesh::Mesh mesh = mesh::make_mesh(scene.mesh);
+    mesh::Mesh mesh = given != nullptr ? *given : mesh::make_mesh(scene.mesh);
     fem::Space space = fem::make_space(mesh, scene.degree);
     return parallel::take_part(std::move(mesh), std::move(space), team.size(), team.rank());
 }
@@ -29,9 +30,9 @@ parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* bac
 }  // namespace
 
 Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
-                       const parallel::Backend* backend)
+                       const parallel::Backend* backend, const mesh::Mesh* mesh)
     : scene_(&scene),
-      part_(make_part(scene, backend)),
+      part_(make_part(scene, backend, mesh)),
       graph_(fem::make_node_graph(part_.space)),
       surfaces_(
           parallel::together(parallel::team_of(backend),
@@ -235,13 +236,18 @@ const parallel::NodeNumbers& Simulation::numbers_of(const std::string& member) c
     return member == "friction_multiplier" ? part_.facet_numbers : part_.numbers;
 }
 
-Snapshot Simulation::snapshot() const {
-    Snapshot snapshot{state_, totals_};
-    visit_members(snapshot.state, [&](const std::string& name, auto& member) {
+State Simulation::whole_state() const {
+    State state = state_;
+    visit_members(state, [&](const std::string& name, auto& member) {
         if constexpr (std::is_same_v<decltype(member), Nodal&>) {
             member = parallel::to_whole(numbers_of(name), team(), member);
         }
     });
+    return state;
+}
+
+Snapshot Simulation::snapshot() const {
+    Snapshot snapshot{whole_state(), totals_, {}, bisections_};
     if (momentum_) {
         snapshot.kept["momentum"] = momentum_->balance().kept_systems();
     }
@@ -282,6 +288,42 @@ void Simulation::resume(const Snapshot& snapshot) {
     if (heat_) {
         go_on("heat", heat_->balance());
     }
+}
+
+Simulation::Legacy Simulation::legacy() const {
+    return {first_step_, factor_seconds(), factorisations(), cycles(), step_seconds()};
+}
+
+void Simulation::succeed(const Snapshot& snapshot, const Legacy& legacy) {
+    resume(snapshot);
+    first_step_ = legacy.first_step;
+    spent_ = legacy;
+}
+
+void Simulation::note(const Look& look) {
+    const auto cells = static_cast<int>(part_.cells);
+    totals_.looks += look.looks;
+    totals_.repeated_steps += look.repeated;
+    totals_.coarser_meshes += look.coarser;
+    totals_.beyond_mesh_tolerance += look.beyond;
+    totals_.error_in_space = std::max(totals_.error_in_space, look.error);
+    totals_.last_error_in_space = look.error;
+    totals_.fewest_cells = totals_.fewest_cells == 0 ? cells : std::min(totals_.fewest_cells, cells);
+    totals_.most_cells = std::max(totals_.most_cells, cells);
+    state_.deformation_energy = look.deformation_energy;
+    state_.heat_energy = look.heat_energy;
+}
+
+Simulation::Stored Simulation::stored() const {
+    Stored stored;
+    if (momentum_) {
+        stored.kinetic = momentum_->kinetic_energy(state_);
+        stored.strain = momentum_->strain_energy(state_);
+    }
+    if (heat_) {
+        stored.heat = heat_->content(state_);
+    }
+    return stored;
 }
 
 void Simulation::give_up(const State& before, const Subdivision& parts, const std::string& reason) {

@@ -31,9 +31,9 @@ class Simulation {
   public:
     /// Mesh, space, operators, factors, initial state; `sources` are loads beside those of the scene. Keeps a
     /// reference to the scene. Throws NumericsError where a system is singular, std::bad_alloc, and
-    /// what choose_strategy() throws.
+    /// what choose_strategy() throws. `mesh`: in place of the scene's own.
     explicit Simulation(const scene::Scene& scene, const model::Sources& sources = {},
-                        const parallel::Backend* backend = nullptr);
+                        const parallel::Backend* backend = nullptr, const mesh::Mesh* mesh = nullptr);
 
     /// One step of the scene, in parts where it fails as a whole. The state changes only if the step
     /// succeeds; throws NumericsError otherwise.
@@ -45,6 +45,41 @@ class Simulation {
     /// Goes on from a snapshot, on whatever number of processes it was taken: with the same strategy on one
     /// process to the last bit as the simulation it is of. Throws SceneError where it is of another mesh.
     void resume(const Snapshot& snapshot);
+
+    /// The state in the order of the whole mesh's nodes; every process calls, each gets all of it.
+    State whole_state() const;
+
+    /// What a simulation in place of this one goes on counting from.
+    struct Legacy {
+        int first_step = 0;
+        double factor = 0;  ///< s
+        int factorisations = 0, cycles = 0;
+        StepSeconds steps;
+    };
+    Legacy legacy() const;
+
+    /// Goes on from `snapshot`, carried over from another mesh, in place of the simulation on that.
+    void succeed(const Snapshot& snapshot, const Legacy& legacy);
+
+    /// How the mesh was looked at after the last step, and the largest sizes of the energies then.
+    struct Look {
+        int looks = 0, repeated = 0, coarser = 0, beyond = 0;
+        double error = 0;  ///< relative
+        double deformation_energy = 0, heat_energy = 0;
+    };
+    void note(const Look& look);
+    /// The mesh as bisections of the scene's, for snapshots.
+    void note(std::vector<std::int64_t> bisections) { bisections_ = std::move(bisections); }
+
+    /// What the fields hold: rows of a history on two meshes differ by it.
+    struct Stored {
+        double kinetic = 0, strain = 0;  ///< energies, J
+        double heat = 0;                 ///< J
+    };
+    Stored stored() const;
+
+    /// Columns that the rows of the history end with.
+    void annotate(Record columns) { notes_ = std::move(columns); }
 
     /// The step that this simulation started after: 0, or that of the snapshot.
     int first_step() const { return first_step_; }
@@ -156,6 +191,9 @@ class Simulation {
     Record balances_;  ///< of the last step that succeeded
     Totals totals_;
     int first_step_ = 0;
+    Record notes_;
+    std::vector<std::int64_t> bisections_;
+    Legacy spent_;  ///< by those that this one succeeded
 };
 
 }  // namespace thermocontact::march

@@ -18,21 +18,22 @@ std::vector<Balance*> Simulation::balances() {
 }
 
 double Simulation::factor_seconds() const {
-    return (momentum_ ? momentum_->balance().factor_seconds() : 0) +
+    return spent_.factor + (momentum_ ? momentum_->balance().factor_seconds() : 0) +
            (heat_ ? heat_->balance().factor_seconds() : 0);
 }
 
 int Simulation::factorisations() const {
-    return (momentum_ ? momentum_->balance().factorisations() : 0) +
+    return spent_.factorisations + (momentum_ ? momentum_->balance().factorisations() : 0) +
            (heat_ ? heat_->balance().factorisations() : 0);
 }
 
 int Simulation::cycles() const {
-    return (momentum_ ? momentum_->balance().cycles() : 0) + (heat_ ? heat_->balance().cycles() : 0);
+    return spent_.cycles + (momentum_ ? momentum_->balance().cycles() : 0) +
+           (heat_ ? heat_->balance().cycles() : 0);
 }
 
 StepSeconds Simulation::step_seconds() const {
-    StepSeconds seconds;
+    StepSeconds seconds = spent_.steps;
     if (momentum_) {
         seconds.add(momentum_->seconds());
     }
@@ -105,6 +106,7 @@ Record Simulation::record() {
         row.emplace_back("slip_fraction", slipping / area);
         row.emplace_back("max_penetration", deepest);
     }
+    row.insert(row.end(), notes_.begin(), notes_.end());
     return row;
 }
 

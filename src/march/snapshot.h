@@ -1,6 +1,7 @@
 /// All that a simulation needs to go on from where another one stopped, on any number of processes.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct Snapshot {
     /// By balance ("momentum", "heat"): with it, the next steps agree to the last bit. Strategies that keep
     /// no such thing have none.
     std::map<std::string, std::vector<KeptSystem>> kept = {};
+    std::vector<std::int64_t> bisections =
+        {};  ///< of an adapted mesh (mesh/forest.h), which the fields are on
 };
 
 }  // namespace thermocontact::march

@@ -34,6 +34,9 @@ struct State {
     Nodal displacement_curvature, velocity_curvature, temperature_curvature;
     /// Largest sizes so far, which errors are relative to.
     double displacement_scale = 0, deformation_scale = 0, velocity_scale = 0, temperature_scale = 0;
+
+    /// Likewise of the estimates of the error in space (model/error_in_space.h).
+    double deformation_energy = 0, heat_energy = 0;
 };
 
 /// Calls visit(name, member) for all that a state holds, numbers and nodal fields: what a checkpoint stores
@@ -44,7 +47,7 @@ void visit_members(AnyState& state, Visit&& visit) {
     auto& [step, time, displacement, velocity, temperature, friction_multiplier, last_step, displacement_rate,
            velocity_rate, temperature_rate, halvings, since_change, curvature_lag, displacement_curvature,
            velocity_curvature, temperature_curvature, displacement_scale, deformation_scale, velocity_scale,
-           temperature_scale] = state;
+           temperature_scale, deformation_energy, heat_energy] = state;
     visit("step", step);
     visit("time", time);
     visit("displacement", displacement);
@@ -65,6 +68,8 @@ void visit_members(AnyState& state, Visit&& visit) {
     visit("deformation_scale", deformation_scale);
     visit("velocity_scale", velocity_scale);
     visit("temperature_scale", temperature_scale);
+    visit("deformation_energy", deformation_energy);
+    visit("heat_energy", heat_energy);
 }
 
 /// Totals over the steps so far.
@@ -84,6 +89,15 @@ struct Totals {
     int cycles = 0;                 ///< Newton iterations that ended as contact states recurred (cycle.h)
     double error_sum = 0;           ///< of the estimates of those taken, relative
     double energy_residual = 0, heat_residual = 0, force_residual = 0;  ///< largest, relative
+
+    // of an adapted mesh
+    int looks = 0;                         ///< estimates of the error in space after a step
+    int repeated_steps = 0;                ///< solutions that were not accepted: the mesh was too coarse
+    int coarser_meshes = 0;                ///< steps before which cells were joined
+    int beyond_mesh_tolerance = 0;         ///< steps looked at and accepted all the same: limits are met
+    double error_in_space = 0;             ///< largest estimate that was accepted, relative
+    double last_error_in_space = 0;        ///< the last one
+    int fewest_cells = 0, most_cells = 0;  ///< of the meshes of the steps
 };
 
 /// The same for the totals.
@@ -91,7 +105,8 @@ template <typename AnyTotals, typename Visit>
 requires std::same_as<std::remove_const_t<AnyTotals>, Totals>
 void visit_members(AnyTotals& totals, Visit&& visit) {
     auto& [iterations, most, retries, divided, parts, failed, smallest, accepted, rejected, beyond,
-           at_round_off, round_off_residual, cycles, error_sum, energy, heat, force] = totals;
+           at_round_off, round_off_residual, cycles, error_sum, energy, heat, force, looks, repeated, coarser,
+           beyond_mesh, error_in_space, last_error_in_space, fewest_cells, most_cells] = totals;
     visit("iterations", iterations);
     visit("max_iterations_in_a_step", most);
     visit("retries", retries);
@@ -109,6 +124,14 @@ void visit_members(AnyTotals& totals, Visit&& visit) {
     visit("energy_residual", energy);
     visit("heat_residual", heat);
     visit("force_residual", force);
+    visit("looks", looks);
+    visit("repeated_steps", repeated);
+    visit("coarser_meshes", coarser);
+    visit("beyond_mesh_tolerance", beyond_mesh);
+    visit("error_in_space", error_in_space);
+    visit("last_error_in_space", last_error_in_space);
+    visit("fewest_cells", fewest_cells);
+    visit("most_cells", most_cells);
 }
 
 /// How a nonlinear solve went.

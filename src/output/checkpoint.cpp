@@ -102,6 +102,9 @@ Checkpoint take(const std::string& sealed, const scene::Scene& scene) {
     march::visit_members(snapshot.totals, [&](const std::string& name, auto& member) {
         file.read("/totals/" + name, member);
     });
+    if (scene.mesh.refinement) {
+        file.read("/bisections", snapshot.bisections);
+    }
     for (const char* name : {"momentum", "heat"}) {
         for (std::size_t i = 0; file.has(path_of_kept(name, i)); ++i) {
             snapshot.kept[name].push_back(read_kept(file, path_of_kept(name, i)));
@@ -157,6 +160,9 @@ std::string to_bytes(const Checkpoint& checkpoint, const scene::Scene& scene) {
     };
     march::visit_members(checkpoint.snapshot.state, group("/state/"));
     march::visit_members(checkpoint.snapshot.totals, group("/totals/"));
+    if (scene.mesh.refinement) {
+        file.write("/bisections", checkpoint.snapshot.bisections);
+    }
     for (const auto& [name, systems] : checkpoint.snapshot.kept) {
         for (std::size_t i = 0; i < systems.size(); ++i) {
             write_kept(file, path_of_kept(name, i), systems[i]);

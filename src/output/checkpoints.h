@@ -16,6 +16,9 @@ class Checkpoints {
     Checkpoints(std::filesystem::path folder, const scene::Scene& scene, const march::Simulation& simulation,
                 std::string run);
 
+    /// The simulation is another one from now on.
+    void follow(const march::Simulation& simulation) { simulation_ = &simulation; }
+
     /// Whether this process finds that it is time for one (output.checkpoint_every). The clocks of several
     /// processes differ: the first one's answer counts.
     bool due() const;

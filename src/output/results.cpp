@@ -47,7 +47,7 @@ Results::Results(FolderClaim claim, const scene::Scene& scene, march::Simulation
     : claim_(std::move(claim)),
       scene_(&scene),
       simulation_(&simulation),
-      grids_(scene, simulation),
+      grids_(std::make_unique<FieldGrids>(scene, simulation)),
       checkpoints_(folder(), scene, simulation, earlier != nullptr ? earlier->run : new_run()) {
     bool continues = false;
     if_first([&] {
@@ -63,6 +63,15 @@ Results::Results(FolderClaim claim, const scene::Scene& scene, march::Simulation
     last_fields_ = static_cast<int>(simulation.team().max(static_cast<double>(last_fields_)));
     if (!continues) {
         add_fields();
+    }
+}
+
+void Results::follow(march::Simulation& simulation, int mesh) {
+    if (mesh != mesh_) {
+        mesh_ = mesh;
+        simulation_ = &simulation;
+        grids_ = std::make_unique<FieldGrids>(*scene_, simulation);
+        checkpoints_.follow(simulation);
     }
 }
 
@@ -192,9 +201,9 @@ void Results::write_fields() {
     if (scene_->output.fields.empty() || last_fields_ == step) {
         return;
     }
-    write_grid("body", grids_.body());
-    if (grids_.has_contact()) {
-        write_grid("contact", grids_.contact());
+    write_grid("body", grids_->body());
+    if (grids_->has_contact()) {
+        write_grid("contact", grids_->contact());
     }
     if_first([&] { write_whole(folder() / "fields.pvd", to_pvd(entries_)); });
     last_fields_ = step;

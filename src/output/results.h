@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ class Results {
     /// Throws SystemError, here and below, also if the folder is no longer there.
     Results(FolderClaim claim, const scene::Scene& scene, march::Simulation& simulation,
             const Checkpoint* earlier = nullptr);
+
+    /// The simulation is this one from now on, another one where the number of its mesh is another.
+    void follow(march::Simulation& simulation, int mesh);
 
     /// Appends the step's row to history.csv and returns it; writes its fields when they are due. Throws
     /// SystemError.
@@ -62,7 +66,8 @@ class Results {
     FolderClaim claim_;
     const scene::Scene* scene_;
     march::Simulation* simulation_;
-    FieldGrids grids_;
+    std::unique_ptr<FieldGrids> grids_;
+    int mesh_ = 0;
     Checkpoints checkpoints_;
     std::ofstream history_, steps_;
     bool has_header_ = false, steps_have_header_ = false;

@@ -53,6 +53,16 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
                       {"unknowns",
                        {{"displacement", simulation.displacement_unknowns()},
                         {"temperature", simulation.temperature_unknowns()}}}};
+    if (scene.mesh.refinement) {
+        result["mesh"]["refinement"] = {{"looks", totals.looks},
+                                        {"repeated_steps", totals.repeated_steps},
+                                        {"coarser_meshes", totals.coarser_meshes},
+                                        {"beyond_tolerance", totals.beyond_mesh_tolerance},
+                                        {"largest_error", totals.error_in_space},
+                                        {"last_error", totals.last_error_in_space},
+                                        {"fewest_cells", totals.fewest_cells},
+                                        {"most_cells", totals.most_cells}};
+    }
     result["solver"] = {{"strategy", simulation.strategy().name()},
                         {"why", simulation.why_strategy()},
                         {"processes", simulation.team().size()},

@@ -89,9 +89,18 @@ void read_tensor(const Settings& s, const std::string& name, std::optional<Symme
     }
 }
 
+std::optional<Refinement> read_refinement(const Settings& s) {
+    const std::string at = "mesh.refinement.";
+    if (!s.has(at + "tolerance")) {
+        return std::nullopt;
+    }
+    return Refinement{number(s, at + "tolerance"), integer(s, at + "every"), integer(s, at + "max_cells"),
+                      integer(s, at + "max_level")};
+}
+
 MeshSpec read_mesh(const Settings& s) {
     if (s.body.mesh) {
-        return {"", {}, {}, {}, "", "", s.body.mesh};
+        return {"", {}, {}, {}, "", "", s.body.mesh, {}, read_refinement(s)};
     }
     return {text(s, "mesh.shape"),
             s.value("mesh.lower").get<std::vector<double>>(),
@@ -100,7 +109,8 @@ MeshSpec read_mesh(const Settings& s) {
             s.has("mesh.diagonal") ? text(s, "mesh.diagonal") : "",
             text(s, "mesh.cell"),
             nullptr,
-            grading_of(s)};
+            grading_of(s),
+            read_refinement(s)};
 }
 
 TimeSpec read_time(const Settings& s) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/mesh.h"
 #include "scene/expression.h"
 #include "scene/settings.h"
 #include "scene/tensors.h"
@@ -25,6 +26,29 @@ void check_plane_keys(const Settings& settings) {
         if (is_plane && settings.written(name) && settings.body.dimension == 3) {
             fail_at(settings, name, "the body has three dimensions; leave it out");
         }
+    }
+}
+
+/// Only simplices can be bisected into their own kind, and something must tell where.
+void check_refinement(const Settings& settings) {
+    const std::string key = "mesh.refinement.tolerance";
+    if (!settings.written(key)) {
+        return;
+    }
+    if (settings.body.mesh && settings.body.mesh->vertices_per_cell != settings.body.dimension + 1) {
+        fail_at(settings, key, "needs triangles or tetrahedra, the " + settings.body.what + " has others");
+    }
+    if (!settings.body.mesh && settings.value("mesh.cell") != "simplex") {
+        fail_at(settings, key,
+                "needs triangles or tetrahedra: mesh.cell = \"simplex\", found " +
+                    show(settings.value("mesh.cell")));
+    }
+    const auto written = [&](const char* law) { return settings.written(law); };
+    if (!written("material.elasticity") && !written("material.viscosity") && !written("heat.conductivity")) {
+        fail_at(
+            settings, key,
+            "needs material.elasticity, material.viscosity or heat.conductivity, whose energies the error "
+            "is measured in");
     }
 }
 
@@ -252,6 +276,7 @@ std::vector<std::string> existing_fields(const Settings& settings) {
 
 void check_rules(const Settings& settings) {
     check_mesh(settings);
+    check_refinement(settings);
     check_time(settings);
     check_physics(settings);
     check_plane_keys(settings);

@@ -26,6 +26,14 @@ struct Grading {
     double lower = 1, upper = 1;
 };
 
+/// How the mesh adapts to the solution.
+struct Refinement {
+    double tolerance;  ///< of the estimated error in space, relative
+    int every;         ///< steps between looks at the mesh
+    int max_cells;
+    int max_level;  ///< bisections of a cell of the scene's mesh
+};
+
 struct MeshSpec {
     std::string shape;             ///< "rectangle" | "box"; empty: `file` says
     std::vector<double> lower;     ///< [d], m
@@ -35,6 +43,7 @@ struct MeshSpec {
     std::string cell = "simplex";  ///< "simplex" | "tensor"
     std::shared_ptr<const mesh::Mesh> file = {};  ///< the mesh of a file, as read; empty: a shape
     std::vector<Grading> grading = {};            ///< [d]; empty: uniform
+    std::optional<Refinement> refinement = {};    ///< of simplices; empty: the mesh stays
 };
 
 struct TimeSpec {

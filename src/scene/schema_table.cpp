@@ -56,6 +56,23 @@ std::vector<Key> general_keys() {
          "physical groups name the boundaries and the regions."},
         graded_side("left", 0), graded_side("right", 0), graded_side("bottom", 1), graded_side("top", 1),
         graded_side("front", 2), graded_side("back", 2),
+        {.name = "mesh.refinement.tolerance", .type = Type::number,
+         .range = {.low = 0, .high = 1, .low_open = true, .high_open = true}, .required = true, .example = "0.05",
+         .description = "Adapt the mesh, of triangles or tetrahedra: the error in space, estimated by recovered "
+         "gradients in the norms of energy, that deformation and temperature may have relative to their largest size "
+         "so far. Cells are bisected where it takes that, and joined again. Absent: the mesh stays as it is."},
+        {.name = "mesh.refinement.every", .type = Type::integer, .range = from_to(1, 1e9), .fallback = "5",
+         .example = "2",
+         .description = "Steps from one look at the mesh to the next; the first is looked at. A step whose error is "
+         "too large is repeated on a finer mesh."},
+        {.name = "mesh.refinement.max_cells", .type = Type::integer, .range = from_to(1, 1e8),
+         .fallback = "200000", .example = "20000",
+         .description = "Most cells of an adapted mesh; where they do not do, the run goes on and its summary says "
+         "so."},
+        {.name = "mesh.refinement.max_level", .type = Type::integer, .range = from_to(0, 60), .fallback = "30",
+         .example = "12",
+         .description = "How often a cell of the scene's mesh is bisected at most; neighbours may need a few more. "
+         "Two bisections halve a triangle's edges, three a tetrahedron's."},
 
         {.name = "space.degree", .type = Type::integer, .range = from_to(1, 2), .fallback = "1",
          .example = "2", .description = "Polynomial degree of displacement and temperature."},

@@ -23,7 +23,7 @@ def refusals(schema: Sequence[Entry]) -> list[Refusal]:
     here = [entry for entry in schema if not str(entry["key"]).startswith("region.")]
     found = [refusal for entry in here for refusal in _of(entry, schema)]
     unknown = Refusal("mesh.no_such_key", "an unknown key", BASES[BASE] | {"mesh.no_such_key": 1})
-    return [*found, unknown, *_graded(), *_exact_friction(), *_in_space(schema)]
+    return [*found, unknown, *_graded(), *_refined(), *_exact_friction(), *_in_space(schema)]
 
 
 def _graded() -> Iterator[Refusal]:
@@ -31,6 +31,16 @@ def _graded() -> Iterator[Refusal]:
     yield Refusal(front, "a rectangle has no such side", base | {front: 2.0})
     yield Refusal("mesh.grading.lfet", "an unknown side", base | {"mesh.grading.lfet": 2.0})
     yield Refusal(left, "cells too thin to tell from round-off", base | {left: 1e14})
+
+
+def _refined() -> Iterator[Refusal]:
+    key = "mesh.refinement.tolerance"
+    for shape in ("", "box "):
+        tensor = {"mesh.cell": "tensor", key: 0.1}
+        yield Refusal(key, "only simplices are bisected", BASES[f"{shape}{BASE}"] | tensor)
+    rigid = without(BASES["mechanics"], ["material.elasticity", "material.viscosity"])
+    yield Refusal(key, "no energy to measure errors in", rigid | {key: 0.1})
+    yield Refusal(key, "left out", BASES[BASE] | {"mesh.refinement.every": 2})
 
 
 def _exact_friction() -> Iterator[Refusal]:

@@ -35,6 +35,7 @@ def _mesh_and_time() -> dict[str, list[Variation]]:
         + vary(CONTACT, "mesh.cell", "tensor")
         + vary("contact left", "mesh.cell", "tensor", beside={"space.degree": 2}),
         **_grading(),
+        **_refinement(),
         "space.degree": vary(CONTACT, "space.degree", 1, same=DEFAULT)
         + [Variation(base, {"space.degree": 2}) for base in (CONTACT, "contact left", "coupled", "heat")],
         "time.end": vary(CONTACT, "time.end", 0.45),
@@ -62,6 +63,29 @@ def _grading() -> dict[str, list[Variation]]:
         top: vary(CONTACT, top, 1.0, same=DEFAULT)
         + vary("contact top", top, 3.0, beside={"mesh.cell": "tensor", **second})
         + vary("heat", top, 6.0, beside={left: 3.0, right: 3.0, **second}),
+    }
+
+
+def _refinement() -> dict[str, list[Variation]]:
+    """Meshes that change before the first step and later, of each scheme, degree and diagonal; limits that stop them."""
+    tolerance, every, cells, level = (
+        f"mesh.refinement.{key}" for key in ("tolerance", "every", "max_cells", "max_level")
+    )
+    often, rough = {every: 1}, {tolerance: 0.2}
+    second = {"space.degree": 2}
+    return {
+        tolerance: [
+            *vary(CONTACT, tolerance, 0.2),
+            *vary("contact left", tolerance, 0.1, beside={**often, "mesh.diagonal": "crossed"}),
+            *vary("contact without heat", tolerance, 0.15, beside={**often, "time.scheme": "bdf2"}),
+            *vary("heat", tolerance, 0.03, beside={**often, **second, "mesh.diagonal": "left"}),
+            *vary(CONTACT, tolerance, 0.1, beside={**often, **second, "time.scheme": "generalized-alpha"}),
+            *vary(CONTACT, tolerance, 0.2, beside={**often, "mesh.grading.left": 4.0, "time.tolerance": 1e-2}),
+            *vary(CONTACT, tolerance, 0.99, same="the mesh does"),
+        ],
+        every: vary(CONTACT, every, 1, 2, beside=rough),
+        cells: vary(CONTACT, cells, 1, beside=rough, same="no mesh is so small") + vary(CONTACT, cells, 60, beside=rough),
+        level: vary(CONTACT, level, 0, beside=rough, same="no cell is bisected") + vary(CONTACT, level, 1, beside=rough),
     }
 
 

@@ -15,6 +15,7 @@ ALIKE = {
     "material.elasticity.plane": "plane bodies only",
     **dict.fromkeys(("time.end", "time.steps", "time.step"), "time, not space"),
     **dict.fromkeys(("time.tolerance", "time.spectral_radius", "time.coupling_tolerance"), "time, not space"),
+    **dict.fromkeys(("mesh.refinement.max_cells", "mesh.refinement.max_level"), "limits of any mesh"),
     **dict.fromkeys(("solver.tolerance", "solver.max_iterations"), "numbers of unknowns, not what they are"),
     **dict.fromkeys(("output.every", "output.fields", "output.checkpoint_every"), "what is written"),
 }
@@ -59,6 +60,7 @@ def _mesh() -> dict[str, list[Variation]]:
             for base in (CONTACT, left, "box coupled", "box heat")
         ],
         **_grading(),
+        **_refinement(),
         "space.degree": vary(CONTACT, "space.degree", 1, same=DEFAULT)
         + [Variation(base, SECOND_DEGREE) for base in (CONTACT, front, "box coupled", "box heat")],
     }
@@ -74,6 +76,18 @@ def _grading() -> dict[str, list[Variation]]:
             *vary(base_name(SHAPE, "heat"), key, 5.0, beside={opposite: 2.0, **HEXAHEDRA, **SECOND_DEGREE}),
         ]
     return found
+
+
+def _refinement() -> dict[str, list[Variation]]:
+    tolerance, every = "mesh.refinement.tolerance", "mesh.refinement.every"
+    few = {every: 1, "mesh.refinement.max_cells": 600}
+    return {
+        tolerance: [
+            *vary(CONTACT, tolerance, 0.3, beside=few),
+            *vary("box coupled", tolerance, 0.2, beside={**few, **SECOND_DEGREE}),
+        ],
+        every: vary("box contact without heat", every, 1, beside={tolerance: 0.35, "time.scheme": "bdf2"}),
+    }
 
 
 def _schemes() -> dict[str, list[Variation]]:

@@ -63,8 +63,8 @@ MUTATIONS = (
         "folder-late",
         "src/app/run.cpp",
         "    output::FolderClaim folder(command.output, parallel::team_of(backend));\n"
-        "    const auto simulation = prepare(scene, command, backend);\n",
-        "    const auto simulation = prepare(scene, command, backend);\n"
+        "    const auto march = prepare(scene, command, earlier, backend);\n",
+        "    const auto march = prepare(scene, command, earlier, backend);\n"
         "    output::FolderClaim folder(command.output, parallel::team_of(backend));\n",
         "index",
         "a folder that cannot be written to is met before the work",

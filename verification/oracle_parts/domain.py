@@ -12,9 +12,11 @@ from dolfinx import fem
 from dolfinx import mesh as dmesh
 from dolfinx.fem import petsc as fem_petsc
 from petsc4py import PETSc
+from scipy.spatial import KDTree
 
 from oracle_parts.errors import SceneError
 from oracle_parts.expressions import Expression
+from oracle_parts.followed_mesh import FollowedMesh, create, named_parts
 from oracle_parts.portability import mesh_of_gmsh, settle_geometry
 from oracle_parts.scene import SIDES, Scene, Shape, group_names
 
@@ -61,6 +63,15 @@ def create_body(comm: Any, scene: Scene) -> Body:
     if missing:
         raise SceneError(f"the mesh has no boundary or region {missing[0]}")
     return Body(mesh, boundaries, regions, full_rule(mesh, scene.degree))
+
+
+def follow(comm: Any, scene: Scene, base: Body, followed: FollowedMesh) -> Body:
+    """The mesh that the driver has made of the scene's own, `base`."""
+    mesh = create(comm, followed, scene.dimension)
+    _connect(mesh)
+    settle_geometry(mesh)
+    boundaries, regions = named_parts(mesh, base.mesh, base.boundaries, base.regions)
+    return Body(mesh, boundaries, regions, {})
 
 
 def full_rule(mesh: Any, degree: int) -> dict[str, Any]:
@@ -169,6 +180,8 @@ def node_points(space: Any, scene: Scene) -> npt.NDArray[np.float64]:
     Where dolfinx computes a node's place, 0 may come out as 1e-19, and an expression with a jump at 0 goes astray.
     """
     points = np.array(space.tabulate_dof_coordinates())
+    if scene.places is not None:
+        return np.array(scene.places[KDTree(scene.places).query(points)[1]])
     if scene.shape is None:
         return points
     per_square = 4  # a crossed mesh of degree 2 has nodes at quarters

@@ -4,6 +4,7 @@ import functools
 import inspect
 from typing import Any
 
+import dolfinx
 import numpy as np
 import numpy.typing as npt
 from dolfinx import fem
@@ -29,6 +30,16 @@ def cell_nodes(space: Any, cells: int) -> npt.NDArray[np.int32]:
     nodes = space.dofmap.list
     flat = nodes.array if hasattr(nodes, "array") else nodes
     return np.asarray(flat, dtype=np.int32).reshape(-1, space.dofmap.dof_layout.num_dofs)[:cells]
+
+
+def corner_points(mesh: Any, dimension: int, entities: Any) -> npt.NDArray[np.int32]:
+    """Places in the geometry of the corners of entities, [entities, corners]."""
+    mesh.topology.create_connectivity(dimension, 0)
+    mesh.topology.create_connectivity(dimension, mesh.topology.dim)
+    inner = getattr(mesh, "_cpp_object", getattr(mesh, "_mesh", mesh))
+    entities = np.asarray(entities, dtype=np.int32)
+    points = dolfinx.cpp.mesh.entities_to_geometry(inner, dimension, entities, False)
+    return np.asarray(points, dtype=np.int32).reshape(len(entities), -1)
 
 
 def mesh_of_gmsh(model: Any, comm: Any, dimension: int) -> tuple[Any, Any, Any]:

@@ -55,10 +55,10 @@ def pieces_of(body: Body, scene: Scene) -> list[Piece]:
 class Problem:
     """The fields of a scene, its boundary data and contact sides, and what the two balances share."""
 
-    def __init__(self, comm: Any, scene: Scene, solver: str) -> None:
-        """`solver` of the linear systems: "direct" or "amg"."""
+    def __init__(self, comm: Any, scene: Scene, solver: str, body: Body | None = None) -> None:
+        """`solver` of the linear systems: "direct" or "amg"; `body` in place of the scene's own."""
         self.solver = solver
-        self.scene, self.body = scene, create_body(comm, scene)
+        self.scene, self.body = scene, body or create_body(comm, scene)
         self.mesh, self.dx, self.pieces = self.body.mesh, self.body.dx(), pieces_of(self.body, scene)
         self.tau = fem.Constant(self.mesh, scene.step)
         self.Q = lagrange_space(self.mesh, scene.degree)

@@ -122,6 +122,7 @@ class Scene:
     radius: float | None  # spectral radius of the scheme; None: backward Euler
     coupling_tolerance: float | None  # None: lagged
     adapts: bool  # the steps' sizes to time.tolerance
+    adapts_mesh: bool  # to mesh.refinement.tolerance
     material: Material | None
     heat: Heat | None
     regions: dict[str, tuple[Material | None, Heat | None]]  # those that differ from the two above
@@ -135,6 +136,7 @@ class Scene:
     every: int
     fields: list[str]
     resolved: dict[str, Any]
+    places: Any = None  # of a mesh that is followed: where its nodes are, exactly
 
     @property
     def step(self) -> float:
@@ -173,6 +175,7 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         radius=radius,
         coupling_tolerance=coupling_tolerance,
         adapts=time.optional("tolerance", positive) is not None,
+        adapts_mesh=_refinement(mesh),
         material=material,
         heat=heat,
         regions=regions,
@@ -208,6 +211,18 @@ def _mesh(mesh: Table, path: Path) -> tuple[int, Shape | None, Path | None]:
     cell = mesh.take("cell", one_of("simplex", "tensor"), "simplex")
     diagonal = mesh.take("diagonal", one_of("right", "left", "crossed"), "right")
     return dimension, Shape(lower, upper, cells, cell, diagonal, _grading(mesh, dimension)), None
+
+
+def _refinement(mesh: Table) -> bool:
+    """Whether the mesh adapts; how it does is the driver's own affair (followed_mesh.py)."""
+    table = mesh.table("refinement")
+    if table is None:
+        return False
+    table.take("tolerance", positive)
+    for limit, value in (("every", 5), ("max_cells", 200000), ("max_level", 30)):
+        table.take(limit, not_negative if limit == "max_level" else count, value)
+    table.close()
+    return True
 
 
 def _grading(mesh: Table, dimension: int) -> list[tuple[float, float]]:

@@ -113,7 +113,10 @@ def write_mesh(path: Path, dimension: int, n: int) -> None:
     kinds = {2: 1, 3: 2, 4: 4}
     lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "3", f'{dimension - 1} 1 "held"']
     lines += [f'{dimension - 1} 2 "around"', f'{dimension} 3 "body"', "$EndPhysicalNames", "$Nodes"]
-    lines += [str(len(points)), *(f"{i + 1} {x:.17g} {y:.17g} {z:.17g}" for i, (x, y, z) in enumerate(points))]
+    lines += [
+        str(len(points)),
+        *(f"{i + 1} {x:.17g} {y:.17g} {z:.17g}" for i, (x, y, z) in enumerate(points)),
+    ]
     lines += ["$EndNodes", "$Elements", str(sum(len(rows) for rows, _ in parts))]
     number = 0
     for rows, group in parts:
@@ -262,7 +265,10 @@ def main(arguments: Sequence[str]) -> int:
                 aim = "uniform" if point.tolerance is None else f"{point.tolerance:g}"
                 told = "" if point.estimate is None else f"{point.estimate:.4g}"
                 print(f"{series.name:16s} {aim:>8s} {point.unknowns:8d} {point.error:.4g} {told}")
-            print(f"{series.name}: order {order(adaptive):.3f} adaptive, {order(uniform):.3f} uniform", flush=True)
+            print(
+                f"{series.name}: order {order(adaptive):.3f} adaptive, {order(uniform):.3f} uniform",
+                flush=True,
+            )
             found += faults(series, adaptive, uniform)
             points += [*adaptive, *uniform]
     if options.output:

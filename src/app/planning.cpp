@@ -14,9 +14,10 @@ int with_bench(const plan::SceneSource& scene, plan::Quantity of, const parallel
     try {
         plan::Bench bench(scene, of, backend, throw_if_interrupted);
         if (bench.scene().mesh.refinement) {
-            throw SceneError(scene.path.string() +
-                             ": mesh.refinement.tolerance: a plan chooses the mesh itself; leave [mesh.refinement] "
-                             "out, or run without --accuracy and --budget");
+            throw SceneError(
+                scene.path.string() +
+                ": mesh.refinement.tolerance: a plan chooses the mesh itself; leave [mesh.refinement] "
+                "out, or run without --accuracy and --budget");
         }
         return work(bench);
     } catch (const parallel::BackendNeeded&) {

@@ -48,7 +48,7 @@ std::vector<Key> general_keys() {
          .description = "Diagonal that splits the squares of a rectangle into triangles: right from lower left "
          "to upper right, left the other, crossed both."},
         {.name = "mesh.cell", .type = Type::choice, .choices = {"simplex", "tensor"},
-         .fallback = R"("simplex")", .instead = "mesh.file", .example = R"("tensor")",
+         .fallback = R"("simplex")", .instead = "mesh.file", .example = R"("simplex")",
          .description = "Kind of cells: simplex for triangles and tetrahedra, tensor for quadrilaterals and "
          "hexahedra."},
         {.name = "mesh.file", .type = Type::text, .example = R"("part.msh")",

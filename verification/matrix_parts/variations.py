@@ -80,12 +80,16 @@ def _refinement() -> dict[str, list[Variation]]:
             *vary("contact without heat", tolerance, 0.15, beside={**often, "time.scheme": "bdf2"}),
             *vary("heat", tolerance, 0.03, beside={**often, **second, "mesh.diagonal": "left"}),
             *vary(CONTACT, tolerance, 0.1, beside={**often, **second, "time.scheme": "generalized-alpha"}),
-            *vary(CONTACT, tolerance, 0.2, beside={**often, "mesh.grading.left": 4.0, "time.tolerance": 1e-2}),
+            *vary(
+                CONTACT, tolerance, 0.2, beside={**often, "mesh.grading.left": 4.0, "time.tolerance": 1e-2}
+            ),
             *vary(CONTACT, tolerance, 0.99, same="the mesh does"),
         ],
         every: vary(CONTACT, every, 1, 2, beside=rough),
-        cells: vary(CONTACT, cells, 1, beside=rough, same="no mesh is so small") + vary(CONTACT, cells, 60, beside=rough),
-        level: vary(CONTACT, level, 0, beside=rough, same="no cell is bisected") + vary(CONTACT, level, 1, beside=rough),
+        cells: vary(CONTACT, cells, 1, beside=rough, same="no mesh is so small")
+        + vary(CONTACT, cells, 60, beside=rough),
+        level: vary(CONTACT, level, 0, beside=rough, same="no cell is bisected")
+        + vary(CONTACT, level, 1, beside=rough),
     }
 
 

@@ -38,7 +38,9 @@ class FollowedMesh:
 def read_mesh(results: Path | None, step: int) -> FollowedMesh:
     """The mesh of a step in a folder of the driver's results, which has the fields of every step."""
     if results is None:
-        raise SceneError("mesh.refinement: the oracle adapts no mesh; --follow names results that it is to follow")
+        raise SceneError(
+            "mesh.refinement: the oracle adapts no mesh; --follow names results that it is to follow"
+        )
     for extension in ("vtu", "pvtu"):
         file = results / "fields" / f"body_{step:06d}.{extension}"
         if file.exists():

@@ -7,7 +7,7 @@
 namespace thermocontact::march {
 namespace {
 
-constexpr double progress = 0.9;  ///< of the error, less than which repeating a step has to leave
+constexpr double progress = 0.97;  ///< of the error, less than which repeating a step has to leave
 
 }  // namespace
 

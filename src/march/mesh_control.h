@@ -19,7 +19,7 @@ namespace thermocontact::march {
 
 class MeshControl {
   public:
-    static constexpr int most_tries = 8;  ///< of a step, on one mesh after another
+    static constexpr int most_tries = 12;  ///< of a step, on one mesh after another
 
     explicit MeshControl(const scene::Scene& scene) : scene_(&scene), spec_(*scene.mesh.refinement) {}
 

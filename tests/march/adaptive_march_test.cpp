@@ -237,18 +237,19 @@ TEST(AdaptiveMarch, PutsBackWhatAFailedStepHadBegun) {
 TEST(AdaptiveMarch, AdaptsTetrahedraOfBothDegrees) {
     for (const char* degree : {"1", "2"}) {
         const scene::Scene scene = scene::read(
-            "mesh = {shape = \"box\", cells = [2, 2, 2], refinement = {tolerance = 0.5, every = 1, "
-            "max_cells = 20000}}\nspace.degree = " +
+            "mesh = {shape = \"box\", cells = [2, 2, 2], refinement = {tolerance = 0.3, every = 1, "
+            "max_cells = 3000}}\nspace.degree = " +
             std::string(degree) +
             "\ntime = {end = 1, steps = 2}\n"
             "material = {density = 1, elasticity = {young = 2, poisson = 0.1}}\n"
-            "load.body_force = [0, 0, \"-exp(-8*((x - t)^2 + y^2))\"]\n"
+            "load.body_force = [0, 0, \"-exp(-20*((x - t)^2 + y^2))\"]\n"
             "[boundary.bottom]\ndisplacement = [0, 0, 0]\n"
             "[boundary.top.contact]\ngap = 0.01\ncompliance = {stiffness = 100}\n");
         AdaptiveMarch march(scene);
         const Course one = run(march);
         EXPECT_GT(march.mesh_number(), 0);
-        EXPECT_LE(one.totals.error_in_space, 0.5);
+        EXPECT_TRUE(one.totals.error_in_space <= 0.3 || one.totals.beyond_mesh_tolerance > 0);
+        EXPECT_LE(one.totals.most_cells, 3000);
         EXPECT_LT(one.totals.energy_residual, 1e-11);
     }
 }

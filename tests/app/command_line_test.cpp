@@ -71,10 +71,10 @@ TEST(CommandLine, VersionAndHelp) {
 
 TEST(CommandLine, MistakesInTheCommand) {
     EXPECT_EQ(message({}),
-              "no command given; expected \"run\", \"plan\", \"check\" or \"schema\", or --help");
+              "no command given; expected \"run\", \"plan\", \"check\", \"schema\" or \"forms\", or --help");
     EXPECT_EQ(message({"rnu", "a.toml"}), "unknown command \"rnu\"; did you mean \"run\"?");
     EXPECT_EQ(message({"simulate"}),
-              "unknown command \"simulate\"; expected \"run\", \"plan\", \"check\" or \"schema\"");
+              "unknown command \"simulate\"; expected \"run\", \"plan\", \"check\", \"schema\" or \"forms\"");
     EXPECT_EQ(message({"--verison"}),
               "unknown option \"--verison\" before the command; did you mean \"--version\"?");
     EXPECT_EQ(message({"--quiet", "run", "a.toml"}),
@@ -147,6 +147,10 @@ TEST(CommandLine, MistakesInArguments) {
     EXPECT_EQ(message({"check", ""}), "check: no scene file given; usage: thermocontact check SCENE.toml");
     EXPECT_EQ(message({"run", "a.toml", "b.toml"}), "run: unexpected argument \"b.toml\"");
     EXPECT_EQ(message({"run", "a.toml", "check"}), "run: unexpected argument \"check\"");
+    EXPECT_EQ(
+        message({"forms", "frction"}),
+        "forms: expected \"compliance\", \"friction\" or \"conductance\", found \"frction\"; did you mean "
+        "\"friction\"?");
     EXPECT_EQ(message({"schema", "json"}), "schema: unexpected argument \"json\"");
 }
 

@@ -44,6 +44,7 @@ struct Parser {
 
     Parser();
     void add_scene(CLI::App& command);
+    void add_overrides(CLI::App& command);
     void add_request(CLI::App& command);
 };
 
@@ -77,7 +78,10 @@ Parser::Parser() {
     view->add_flag("--no-open", words.keeps_closed, "Only write the page");
 
     schema = app.add_subcommand("schema", "Print every scene key: type, unit, default, range, meaning");
-    add_scene(*schema);
+    schema->allow_extras();
+    schema->add_option("--scene", words.scene, "Scene whose law files' keys are among them")
+        ->type_name("FILE");
+    add_overrides(*schema);
     schema->add_option("--format", words.format, "toml (default), json or markdown")->type_name("FORMAT");
 
     forms = app.add_subcommand("forms", "List the laws that a scene may replace, or print the file of one");
@@ -89,6 +93,10 @@ Parser::Parser() {
 void Parser::add_scene(CLI::App& command) {
     command.allow_extras();
     command.add_option("SCENE", words.scene, "Scene file (TOML)")->type_name("FILE");
+    add_overrides(command);
+}
+
+void Parser::add_overrides(CLI::App& command) {
     command.add_option("--set", words.overrides, "Value that beats the scene file; repeatable")
         ->type_name("KEY=VALUE")
         ->expected(1)

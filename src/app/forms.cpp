@@ -44,7 +44,7 @@ int forms(const FormsCommand& command) {
                  "and in the scene\n"
                  "  [forms]\n"
                  "  friction = \"my_friction.py\"\n"
-                 "Keys of a scene with such files: thermocontact schema SCENE.toml\n";
+                 "Keys of a scene with such files: thermocontact schema --scene SCENE.toml\n";
     return exit_completed;
 }
 

@@ -200,7 +200,7 @@ class LawFiles(unittest.TestCase):
 
     def test_schema_summary_and_forms_tell_of_them(self) -> None:
         scene = self.scene("compliance", SPRING, "hardness = 30.0")
-        code, output, errors = self.call("schema", scene, "--format", "json")
+        code, output, errors = self.call("schema", "--scene", scene, "--format", "json")
         self.assertEqual(code, 0, errors)
         keys = {entry["key"]: entry for entry in json.loads(output)}
         self.assertNotIn("boundary.NAME.contact.compliance.stiffness", keys)

@@ -1,4 +1,5 @@
-"""The same scene said otherwise must have the same answer: other units, mirrored, turned, shifted, listed in another order.
+"""The same scene said otherwise must have the same answer: other units, mirrored, turned, shifted, in a frame that moves,
+listed in another order.
 
     invariance.py [--driver PROGRAM] [--list] [NAME...]
 
@@ -19,7 +20,7 @@ from pathlib import Path
 
 from invariance_parts import mesh_file
 from invariance_parts.compared import Carry, difference
-from invariance_parts.motions import PLANE, SPACE, Motion, orders, turned
+from invariance_parts.motions import BOOSTS, PLANE, SPACE, Motion, orders, turned
 from invariance_parts.units import FIELDS, Keys, systems
 from matrix_parts.runs import Driver
 from matrix_parts.scenes import BASES, Flat, without, write
@@ -55,7 +56,18 @@ def _bases() -> dict[str, Flat]:
         "heat.conductivity": [[0.7, 0.1, 0.0], [0.1, 0.8, 0.2], [0.0, 0.2, 0.9]],
     }
     krylov = {**plane["contact bottom"], "solver.strategy": "newton-krylov"}
-    return {**plane, "newton-krylov": krylov, "box": box, "mesh file": _ring()}
+    contact = "boundary.bottom.contact"
+    belt: Flat = {
+        **plane["contact bottom"],
+        "heat.strain_rate_heating": [[-0.4, 0.1], [0.1, 0.3]],
+        f"{contact}.foundation_velocity": ["0.5 - x + 2*t", "0.2*y"],
+        f"{contact}.friction.heat_share": 0.7,
+        "boundary.right.convection.coefficient": 1.5,
+        "boundary.right.convection.ambient_temperature": "2 + y - 3*t",
+    }
+    exact: Flat = {**belt, f"{contact}.friction.regularisation": 0.0}
+    belts = {"belt": belt, "belt, exact friction": exact}
+    return {**plane, **belts, "newton-krylov": krylov, "box": box, "mesh file": _ring()}
 
 
 def _ring() -> Flat:
@@ -92,6 +104,11 @@ def sayings(keys: Keys) -> Iterator[Saying]:
             yield Saying(f"{base}: {system.name}", base, keys.in_units(scene, system), carry)
         for motion in {"box": SPACE, "mesh file": ()}.get(base, PLANE):
             yield Saying(f"{base}: {motion.name}", base, motion.scene(scene), motion.carry())
+        for boost in (
+            BOOSTS if base in ("contact bottom", "contact left", "belt", "belt, exact friction") else ()
+        ):
+            carry = boost.carry(scene["time.end"])
+            yield Saying(f"{base}: {boost.name}", base, boost.scene(scene), carry)
         for name, ordered in orders(scene):
             yield Saying(f"{base}: {name}", base, ordered(), Carry(), rewriting(STILL, False))
     for motion, renumber in ((STILL, True), (turned(30), False), (turned(137), True)):

@@ -14,11 +14,13 @@ end), with u_s = u_b + tau w_s and u_b, w_b, theta_b what the step knows of thes
 
 with the penetration r = u_s.n - g, and then the heat balance for theta_s,
 
-    c (theta_s - theta_b, eta)/tau + (K grad theta_s, grad eta) - (R : e(u'), eta)
-      + int_C k_c(r) phi_L(theta_s - theta_F) eta  =  (q0, eta) + int q_in eta.
+    c (theta_s - theta_b, eta)/tau + (K grad theta_s, grad eta) - (R : e(u') + R' : e(w'), eta)
+      + int_C k_c(r) phi_L(theta_s - theta_F) eta + int h (theta_s - theta_a) eta
+      =  (q0, eta) + int q_in eta + share int_C p_t(r) |w_st|^2 / |w_st|_eps eta.
 
-The coupling terms are lagged, theta' = theta_{n-1}, u' = u_{n-1} in backward Euler and in the other schemes what the
-rates lead to expect of theta_s, and u_s; or both are solved in turn until theta_s no longer changes.
+w_st is the tangential velocity over the foundation, which may move. The coupling terms are lagged, theta' = theta_{n-1},
+u' = u_{n-1}, w' = w_{n-1} in backward Euler and in the other schemes what the rates lead to expect of theta_s, and u_s,
+w_s; or both are solved in turn until theta_s no longer changes.
 
 Physics that the scene leaves out contributes no form. Exit codes: 0 completed, 1 system, 2 scene, 3 numerics.
 """
@@ -56,7 +58,7 @@ def solve_in_turn(problem: Problem, step: Step, momentum: Momentum, heat: HeatBa
     iterations, theta = 0, heat.theta.expected(step)
     for _ in range(MOST_TURNS):
         iterations += momentum.solve(step, theta)
-        iterations += heat.solve(step, momentum.stage_u.x.array)
+        iterations += heat.solve(step, momentum.stage_u.x.array, momentum.stage_w.x.array)
         new = heat.stage_theta.x.array.copy()
         sizes = [float(np.abs(values).max(initial=0.0)) for values in (new - theta, new)]
         change, size = (problem.mesh.comm.allreduce(value, op=MPI.MAX) for value in sizes)
@@ -80,8 +82,10 @@ def take(problem: Problem, step: Step, momentum: Momentum | None, heat: HeatBala
         if momentum:
             iterations += momentum.solve(step, heat.theta.expected(step) if heat else None)
         if heat:
-            u = problem.u if problem.scene.radius is None else problem.stage_u
-            iterations += heat.solve(step, u.x.array if u is not None else None)
+            lagged = problem.scene.radius is None
+            u, w = (problem.u, problem.w) if lagged else (problem.stage_u, problem.stage_w)
+            motion = (None, None) if u is None or w is None else (u.x.array, w.x.array)
+            iterations += heat.solve(step, *motion)
     for balance in balances:
         balance.move(step)
     for side in problem.contacts:

@@ -29,13 +29,23 @@ HELPERS = {"space", "generate"}  # files in forms/ that hold no form
 SMALL = ["--set", "mesh.cells=[8,8]", "--set", "time.steps=4"]
 USUAL_SCENE = ("paper-isotropic",)  # and what is set in it
 EXACT_FRICTION = (*USUAL_SCENE, "--set", "boundary.bottom.contact.friction.regularisation=0")
-SCENES = {"heat_flux": ("heat-only",), "coulomb": EXACT_FRICTION}  # for forms that the usual scene has not
+CONVECTION = (
+    *USUAL_SCENE,
+    *("--set", "boundary.left.convection.coefficient=2"),
+    *("--set", "boundary.left.convection.ambient_temperature=5"),
+)
+SCENES = {
+    "heat_flux": ("heat-only",),
+    "coulomb": EXACT_FRICTION,
+    "convection": CONVECTION,
+}  # for forms that the usual scene has not
 
 ORDERS = ["--case", "slipping", "--cell", "triangle", "--degree", "1"]  # the case that has all physics
 # Forms that do not act there: loads, in whose place compiled sources stand, and those that only report.
 # Exact friction has no solution of class C2 to be made from.
 WITHOUT_ORDERS = {
     "coulomb",
+    "convection",
     "body_force",
     "traction",
     "heat_source",

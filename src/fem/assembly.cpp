@@ -58,28 +58,48 @@ void add_pairs(const double* tensor, std::span<const std::int32_t> nodes, const 
     }
 }
 
-}  // namespace
-
-BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& graph, int rows, int columns) {
-    BlockMatrix matrix = zero_matrix(graph, rows, columns);
-    const auto n = static_cast<std::size_t>(space.dofmap.nodes_per_cell);
-    const std::size_t length = n * n * static_cast<std::size_t>(rows * columns);
-    std::vector<double> tensor(length);
+/// Adds `count` tensors to the matrix: tabulate(i, tensor) adds the i-th, which belongs to the cell
+/// cell_of(i).
+template <typename CellOf, typename Tabulate>
+void assemble(std::size_t count, CellOf cell_of, Tabulate tabulate, const std::string& form,
+              const Space& space, BlockMatrix& matrix) {
     using Add = void (*)(const double*, std::span<const std::int32_t>, const std::int32_t*, BlockMatrix&);
     constexpr Add table[3][3] = {{add_pairs<1, 1>, add_pairs<1, 2>, add_pairs<1, 3>},
                                  {add_pairs<2, 1>, add_pairs<2, 2>, nullptr},
                                  {add_pairs<3, 1>, nullptr, add_pairs<3, 3>}};
-    const Add add = table[rows - 1][columns - 1];
-    for (std::int32_t cell = 0; cell < space.cellwise.node_count; ++cell) {
+    const Add add = table[matrix.rows - 1][matrix.columns - 1];
+    const auto n = static_cast<std::size_t>(space.dofmap.nodes_per_cell);
+    std::vector<double> tensor(n * n * static_cast<std::size_t>(matrix.rows * matrix.columns));
+    for (std::size_t i = 0; i < count; ++i) {
         std::ranges::fill(tensor, 0.0);
-        form.add_cell(cell, tensor);
-        if (matrix.symmetric() && cell == 0) {
-            require_symmetry(tensor, n * static_cast<std::size_t>(rows), form.name());
+        tabulate(i, std::span<double>(tensor));
+        if (matrix.symmetric() && i == 0) {
+            require_symmetry(tensor, n * static_cast<std::size_t>(matrix.rows), form);
         }
+        const std::int32_t cell = cell_of(i);
         const auto positions = static_cast<std::size_t>(cell) * n * n;
-        add(tensor.data(), space.dofmap.of(cell), graph.cell_positions.data() + positions, matrix);
+        add(tensor.data(), space.dofmap.of(cell), matrix.graph->cell_positions.data() + positions, matrix);
     }
+}
+
+}  // namespace
+
+BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& graph, int rows, int columns) {
+    BlockMatrix matrix = zero_matrix(graph, rows, columns);
+    const auto number = [](std::size_t i) { return static_cast<std::int32_t>(i); };
+    assemble(
+        static_cast<std::size_t>(space.cellwise.node_count), number,
+        [&](std::size_t i, std::span<double> tensor) { form.add_cell(number(i), tensor); }, form.name(),
+        space, matrix);
     return matrix;
+}
+
+void assemble_facets(Form& form, std::span<const mesh::Facet> facets, const Space& space,
+                     BlockMatrix& matrix) {
+    assemble(
+        facets.size(), [&](std::size_t i) { return facets[i].cell; },
+        [&](std::size_t i, std::span<double> tensor) { form.add_facet(facets[i], tensor); }, form.name(),
+        space, matrix);
 }
 
 void assemble_cells(Form& form, const Dofmap& dofmap, int components, std::vector<double>& vector) {

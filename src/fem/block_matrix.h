@@ -56,6 +56,10 @@ BlockMatrix zero_matrix(const NodeGraph& graph, int rows, int columns);
 /// form that is not symmetric.
 BlockMatrix assemble_matrix(Form form, const Space& space, const NodeGraph& graph, int rows, int columns);
 
+/// Adds the form's tensors [node, row][node, column] of the facets to the matrix. Throws as above.
+void assemble_facets(Form& form, std::span<const mesh::Facet> facets, const Space& space,
+                     BlockMatrix& matrix);
+
 /// Adds the form's tensors [node, component] of all cells to `vector`.
 void assemble_cells(Form& form, const Dofmap& dofmap, int components, std::vector<double>& vector);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "march/simulation.h"
+#include "model/convection.h"
 #include "model/physics.h"
 
 namespace thermocontact::march {
@@ -34,7 +35,8 @@ void Simulation::look_for_free_motions() {
         heat_->balance().look_for_free_motions(
             part_.numbers, 1,
             {"heat capacity", "temperature", "contact conducts no heat",
-             "prescribe it on a boundary, or add heat.capacity or contact that conducts"});
+             "prescribe it on a boundary, or add heat.capacity, convection or contact that conducts"},
+            model::convection_nodes(*scene_, part_.mesh, part_.space));
         if (!model::has_conductance(*scene_)) {
             heat_->balance().require_held();
         }

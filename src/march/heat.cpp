@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "march/assembler.h"
+#include "model/convection.h"
 #include "parallel/together.h"
 #include "stopwatch.h"
 
@@ -28,16 +29,20 @@ model::FacetTerm contact_term(const scene::Scene& scene, const mesh::Mesh& mesh,
     return term;
 }
 
-/// A = c / tau + K.
+/// A = c / tau + K + h.
 fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double tau,
                                const std::optional<fem::BlockMatrix>& capacity,
-                               const std::optional<fem::BlockMatrix>& conduction) {
+                               const std::optional<fem::BlockMatrix>& conduction,
+                               const std::optional<fem::BlockMatrix>& exchange) {
     fem::BlockMatrix matrix = fem::zero_matrix(graph, 1, 1);
     if (capacity) {
         matrix.add(1 / tau, *capacity);
     }
     if (conduction) {
         matrix.add(1, *conduction);
+    }
+    if (exchange) {
+        matrix.add(1, *exchange);
     }
     return matrix;
 }
@@ -46,11 +51,11 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double tau,
 
 Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
            const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
-           const State& initial, const std::vector<double>* stage_displacement,
-           const std::vector<model::Source>& sources)
+           const State& initial, const model::Motion& stage_motion, const std::vector<model::Source>& sources)
     : team_(&strategy.team()),
       capacity_density_(model::uniform_capacity(scene)),
       loads_(parallel::together(*team_, [&] { return model::Loads::thermal(scene, mesh, space, sources); })),
+      friction_heat_(surfaces, mesh, space, scene.dimension, stage_motion),
       surfaces_(&surfaces),
       stage_(initial.temperature),
       reference_(initial.temperature.size(), 0.0),
@@ -61,19 +66,26 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
     conduction_ = assemble.when(scene.heat->conductivity.has_value(), "conduction.conduction", 1, 1);
     strain_heating_ =
         assemble.when(scene.heat->strain_heating.has_value(), "strain_heating.coupling", 1, scene.dimension);
+    strain_rate_heating_ = assemble.when(scene.heat->strain_rate_heating.has_value(),
+                                         "strain_heating.rate_coupling", 1, scene.dimension);
+    exchange_ = model::convection_matrix(scene, mesh, space, graph);
+    if (exchange_) {
+        ambient_ = parallel::together(*team_, [&] { return model::Loads::ambient(scene, mesh, space); });
+    }
     gram_ = assemble.when(!capacity_density_, "norms.temperature", 1, 1);
+    const std::vector<double>* stage_displacement = stage_motion.displacement;
     if (stage_displacement == nullptr) {
         no_displacement_.assign(space.nodes.size() * static_cast<std::size_t>(scene.dimension), 0.0);
         stage_displacement = &no_displacement_;
     }
     balance_ = std::make_unique<Balance>(
         "heat", scene.solver,
-        [&graph, this](double tau) { return system_matrix(graph, tau, capacity_, conduction_); },
+        [&graph, this](double tau) { return system_matrix(graph, tau, capacity_, conduction_, exchange_); },
         model::Prescribed::temperature(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::conductance),
         contact_term(scene, mesh, space, surfaces, *stage_displacement, foundations_, excess_), space,
         strategy, excess_);
-    for (auto* products : {&stored_, &base_stored_, &new_stored_, &conducted_, &outflow_, &strain_source_,
+    for (auto* products : {&stored_, &base_stored_, &new_stored_, &conducted_, &outflow_, &source_, &part_,
                            &rhs_, &of_reference_}) {
         products->resize(stage_.size());
     }
@@ -106,6 +118,9 @@ void Heat::begin(const StepRule& rule, const State& state) {
     rule_ = rule;
     balance_->use(rule.tau);
     load_ = parallel::together(*team_, [&] { return &loads_.at(rule.stage_time()); });
+    if (ambient_) {
+        ambient_load_ = parallel::together(*team_, [&] { return &ambient_->at(rule.stage_time()); });
+    }
     if (rule.memory() != 0) {
         extrapolate(rule.memory(), state.temperature, state.temperature_rate, stage_);
         product(capacity_, stage_, base_stored_);
@@ -120,10 +135,34 @@ void Heat::begin(const StepRule& rule, const State& state) {
     }
 }
 
+/// Heat of strain, of its rate and of friction; what is absent costs nothing.
+void Heat::gather_sources(const model::Motion& motion) {
+    const auto sum_of = [](const std::vector<double>& flows) {
+        return Sum{as_eigen(flows).sum(), as_eigen(flows).lpNorm<1>()};
+    };
+    std::ranges::fill(source_, 0.0);
+    strain_ = strain_rate_ = friction_ = {};
+    if (strain_heating_) {
+        strain_heating_->multiply(*motion.displacement, source_);
+        strain_ = sum_of(source_);
+    }
+    if (strain_rate_heating_) {
+        strain_rate_heating_->multiply(*motion.velocity, part_);
+        strain_rate_ = sum_of(part_);
+        as_eigen(source_) += as_eigen(std::as_const(part_));
+    }
+    if (!friction_heat_.empty()) {
+        std::ranges::fill(part_, 0.0);
+        friction_heat_.add_to(part_);
+        friction_ = sum_of(part_);
+        as_eigen(source_) += as_eigen(std::as_const(part_));
+    }
+}
+
 /// Where conductance is so large that the last bit of a temperature is worth more flow than the tolerance,
 /// the step is solved once more for the difference to what was found, which has all its digits.
-SolveReport Heat::solve(const std::vector<double>& displacement) {
-    product(strain_heating_, displacement, strain_source_);
+SolveReport Heat::solve(const model::Motion& motion) {
+    gather_sources(motion);
     const std::vector<double> start = stage_;
     refer_to(nullptr);
     std::optional<SolveReport> first;
@@ -158,12 +197,17 @@ SolveReport Heat::solve(const std::vector<double>& displacement) {
 
 SolveReport Heat::solve_from_reference() {
     as_eigen(rhs_) =
-        as_eigen(*load_) + as_eigen(base_stored()) / rule_.tau + as_eigen(std::as_const(strain_source_));
+        as_eigen(*load_) + as_eigen(base_stored()) / rule_.tau + as_eigen(std::as_const(source_));
+    if (ambient_load_ != nullptr) {
+        as_eigen(rhs_) += as_eigen(*ambient_load_);
+    }
     if (std::ranges::any_of(reference_, [](double theta) { return theta != 0; })) {
         product(capacity_, reference_, of_reference_);
         as_eigen(rhs_) -= as_eigen(std::as_const(of_reference_)) / rule_.tau;
-        product(conduction_, reference_, of_reference_);
-        as_eigen(rhs_) -= as_eigen(std::as_const(of_reference_));
+        for (const auto* matrix : {&conduction_, &exchange_}) {
+            product(*matrix, reference_, of_reference_);
+            as_eigen(rhs_) -= as_eigen(std::as_const(of_reference_));
+        }
     }
     as_eigen(excess_) = as_eigen(std::as_const(stage_)) - as_eigen(std::as_const(reference_));
     const auto take = [&] {
@@ -214,17 +258,29 @@ Heat::Flows Heat::flows() {
     product(conduction_, stage_, conducted_);
     balance_->contact().nodal_forces("conductance", outflow_);
     const auto stored = as_eigen(std::as_const(stored_)), load = as_eigen(*load_),
-               strain = as_eigen(std::as_const(strain_source_)), outflow = as_eigen(std::as_const(outflow_));
+               source = as_eigen(std::as_const(source_)), outflow = as_eigen(std::as_const(outflow_));
     const Eigen::VectorXd storage =
         (rule_.alpha * (as_eigen(std::as_const(new_stored_)) - stored) - (as_eigen(base_stored()) - stored)) /
         rule_.tau;
-    const Eigen::VectorXd residual = storage + as_eigen(std::as_const(conducted_)) + outflow - load - strain;
-    Flows here{storage.sum(),
-               outflow.sum(),
-               0,
-               load.sum(),
-               strain.sum(),
-               storage.lpNorm<1>() + outflow.lpNorm<1>() + load.lpNorm<1>() + strain.lpNorm<1>()};
+    Eigen::VectorXd residual = storage + as_eigen(std::as_const(conducted_)) + outflow - load - source;
+    Flows here{.storage = storage.sum(),
+               .outflow = outflow.sum(),
+               .convection = 0,
+               .reaction = 0,
+               .load = load.sum(),
+               .strain = strain_.value,
+               .strain_rate = strain_rate_.value,
+               .friction = friction_.value,
+               .scale = storage.lpNorm<1>() + outflow.lpNorm<1>() + load.lpNorm<1>() + strain_.magnitude +
+                        strain_rate_.magnitude + friction_.magnitude};
+    if (exchange_) {
+        exchange_->multiply(stage_, part_);
+        as_eigen(part_) -= as_eigen(*ambient_load_);
+        const auto convected = as_eigen(std::as_const(part_));
+        residual += convected;
+        here.convection = convected.sum();
+        here.scale += convected.lpNorm<1>();
+    }
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         here.reaction += residual[dof];
         here.scale += std::abs(residual[dof]);
@@ -237,7 +293,8 @@ void Heat::audit() {
     const double duration = audit_.duration + rule_.step;
     const double weight = audit_.duration == 0 ? 1.0 : rule_.step / duration;
     for (double Flows::*flow :
-         {&Flows::storage, &Flows::outflow, &Flows::reaction, &Flows::load, &Flows::strain, &Flows::scale}) {
+         {&Flows::storage, &Flows::outflow, &Flows::convection, &Flows::reaction, &Flows::load,
+          &Flows::strain, &Flows::strain_rate, &Flows::friction, &Flows::scale}) {
         audit_.mean.*flow =
             weight == 1.0 ? now.*flow : (1 - weight) * (audit_.mean.*flow) + weight * (now.*flow);
     }
@@ -246,7 +303,8 @@ void Heat::audit() {
 
 void Heat::close_audit(const State& state) {
     const Flows& mean = audit_.mean;
-    const double sum = mean.storage + mean.outflow - mean.reaction - mean.load - mean.strain;
+    const double sum = mean.storage + mean.outflow + mean.convection - mean.reaction - mean.load -
+                       mean.strain - mean.strain_rate - mean.friction;
     heat_residual_ = mean.scale > 0 ? std::abs(sum) / mean.scale : 0.0;
     record_ = {{"temperature_l2",
                 capacity_density_ ? norm(state.temperature, stored_) : temperature_norm(state.temperature)},
@@ -255,6 +313,9 @@ void Heat::close_audit(const State& state) {
                {"prescribed_temperature_inflow", mean.reaction},
                {"load_heat_inflow", mean.load},
                {"strain_heat_inflow", mean.strain},
+               {"strain_rate_heat_inflow", mean.strain_rate},
+               {"friction_heat_inflow", mean.friction},
+               {"convection_heat_outflow", mean.convection},
                {"heat_residual", heat_residual_}};
     drop_audit();
 }

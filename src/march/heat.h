@@ -2,12 +2,15 @@
 ///
 ///   c (theta_n - theta_{n-1}, eta)/k + (K grad theta_n, grad eta) + int_C k_c(u_n.n - g) phi_L(theta_n -
 ///   theta_F) eta
-///     = (q0, eta) + (heat flux, eta)_N + (R : eps(u_{n-1}), eta).
+///     + int_N h (theta_n - theta_a) eta
+///     = (q0, eta) + (heat flux, eta)_N + (R : eps(u_{n-1}) + R' : eps(w_{n-1}), eta)
+///     + int_C share -sigma_t.(w_n - v_F) eta.
 ///
 /// Solved for theta_n - theta_ref; theta_ref is 0, or near the solution where its last bit matters (solve()).
 ///
 /// That is backward Euler with lagged coupling; in the other schemes theta_n and u_n are the values at the
-/// stage, theta_{n-1} is theta_hat, k is tau (step_rule.h), and the strain heating takes u_n, just computed.
+/// stage, theta_{n-1} is theta_hat, k is tau (step_rule.h), and the strain heating takes u_n and w_n, just
+/// computed, as the heat of friction always does.
 #pragma once
 
 #include <memory>
@@ -16,6 +19,7 @@
 #include "march/balance.h"
 #include "march/step_error.h"
 #include "march/step_rule.h"
+#include "model/friction_heat.h"
 #include "model/loads.h"
 #include "parallel/team.h"
 
@@ -23,19 +27,18 @@ namespace thermocontact::march {
 
 class Heat {
   public:
-    /// Assembles; `sources` are loads beside the scene's. The contact forms read the displacement at the
-    /// stage from `stage_displacement`, which must keep its address (null in a scene without mechanics).
+    /// Assembles; `sources` are loads beside the scene's. The contact forms read displacement and velocity at
+    /// the stage from `stage_motion`.
     Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
          const fem::NodeGraph& graph, solve::Strategy& strategy, const model::ContactSurfaces& surfaces,
-         const State& initial, const std::vector<double>* stage_displacement,
-         const std::vector<model::Source>& sources);
+         const State& initial, const model::Motion& stage_motion, const std::vector<model::Source>& sources);
 
     /// A step is begun, solved and accepted, as that of Momentum.
     void begin(const StepRule& rule, const State& state);
 
-    /// Solves with the displacement in the strain heating; that in the contact is the one at the stage, just
-    /// computed. Throws StepFailure.
-    SolveReport solve(const std::vector<double>& displacement);
+    /// Solves with the motion in the strain heating (not read without); that in the contact is the one at the
+    /// stage, just computed. Throws StepFailure.
+    SolveReport solve(const model::Motion& motion);
 
     /// The temperature at the end of the step, from solve().
     void complete(const State& state);
@@ -74,7 +77,7 @@ class Heat {
 
   private:
     struct Flows {  ///< W (W/m in 2D)
-        double storage, outflow, reaction, load, strain;
+        double storage, outflow, convection, reaction, load, strain, strain_rate, friction;
         double scale;  ///< the magnitude of what is summed: inflow on one side and outflow on the other count
     };
     struct Audit {            ///< of the steps since the last row of the history
@@ -82,6 +85,12 @@ class Heat {
         Flows mean{};
     };
 
+    /// A heat source, or several, assembled: its sum and that of its magnitudes, W.
+    struct Sum {
+        double value = 0, magnitude = 0;
+    };
+
+    void gather_sources(const model::Motion& motion);
     void audit();
     Flows flows();
     void refer_to(const std::vector<double>* temperature);
@@ -94,13 +103,17 @@ class Heat {
 
     const parallel::Team* team_;
     std::optional<double> capacity_density_;  ///< c, where it is uniform
-    std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_;
-    std::optional<fem::BlockMatrix> gram_;  ///< without uniform capacity
+    std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_, strain_rate_heating_;
+    std::optional<fem::BlockMatrix> exchange_;  ///< h theta of boundaries with convection
+    std::optional<fem::BlockMatrix> gram_;      ///< without uniform capacity
     model::Loads loads_;
+    std::optional<model::Loads> ambient_;  ///< h theta_a likewise
+    model::FrictionHeat friction_heat_;
 
     // of the step at hand
     StepRule rule_{};
     const std::vector<double>* load_ = nullptr;
+    const std::vector<double>* ambient_load_ = nullptr;  ///< null without convection
     const model::ContactSurfaces* surfaces_;
     std::vector<double> expected_, stage_;  ///< theta_s before and after it is solved
     std::vector<double> reference_;         ///< theta_ref
@@ -113,7 +126,8 @@ class Heat {
     std::vector<double> rhs_, of_reference_;
     std::vector<double> outflow_;        ///< contact conductance, assembled
     std::vector<double> conducted_;      ///< K theta_s
-    std::vector<double> strain_source_;  ///< R : eps(u), assembled
+    std::vector<double> source_, part_;  ///< of strain, its rate and friction, assembled; and one of them
+    Sum strain_, strain_rate_, friction_;
 
     Audit audit_;
     double audit_seconds_ = 0;

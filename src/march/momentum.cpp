@@ -260,9 +260,9 @@ Energies Momentum::energies(const State& old) const {
 
 void Momentum::audit(const State& old) {
     const MomentumForces forces = collect_forces();
-    const MomentumSums sums =
-        team_->summed(sum_up(forces, as_eigen(std::as_const(stage_velocity_)), dimension_));
-    audit_.add(rule_.step, energies(old), sums);
+    MomentumSums sums = sum_up(forces, as_eigen(std::as_const(stage_velocity_)), dimension_);
+    sums.foundation_power = balance_->contact().power_of_foundations();
+    audit_.add(rule_.step, energies(old), team_->summed(sums));
 }
 
 void Momentum::close_audit(const State& state) {

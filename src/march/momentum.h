@@ -47,8 +47,9 @@ class Momentum {
     /// the completed step, and adds the step to the audit.
     void accept(State& state, const Scheme& scheme);
 
-    /// The displacement at the stage, from solve(); its address stays.
+    /// Displacement and velocity at the stage, from solve(); their addresses stay.
     const std::vector<double>& stage_displacement() const { return stage_displacement_; }
+    const std::vector<double>& stage_velocity() const { return stage_velocity_; }
 
     /// Takes up a state that accept() did not produce: the initial one, or an earlier one after a failure.
     void restart(const State& state);

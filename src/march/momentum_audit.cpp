@@ -38,7 +38,7 @@ MomentumSums sum_over_nodes(const MomentumForces& forces, const double* velocity
             }
         }
     }
-    return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6]};
+    return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6], 0.0};
 }
 
 }  // namespace
@@ -72,21 +72,24 @@ void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums
             mean.resultant[c] = before * mean.resultant[c] + now * last.resultant[c];
         }
     }
+    sums.foundation_power = before * sums.foundation_power + now * of_forces.foundation_power;
     duration += step;
 }
 
 Audit audit_energy(const Energies& energies, const MomentumSums& sums, double step) {
     const auto work = [&](const ForceSums& force) { return step * force.power; };
+    const double foundation_work = step * sums.foundation_power;
     const Record left{{"kinetic_energy", energies.kinetic},
                       {"strain_energy", energies.strain},
                       {"kinetic_numerical_dissipation", energies.kinetic_numerical},
                       {"strain_numerical_dissipation", energies.strain_numerical},
                       {"viscous_dissipation", work(sums.viscous)},
                       {"compliance_work", work(sums.compliance)},
-                      {"friction_dissipation", work(sums.friction)}};
+                      {"friction_dissipation", work(sums.friction) + foundation_work}};
     const Record right{{"load_work", work(sums.load)},
                        {"thermal_work", work(sums.thermal)},
-                       {"reaction_work", work(sums.reaction)}};
+                       {"reaction_work", work(sums.reaction)},
+                       {"foundation_work", foundation_work}};
     Audit audit{left, relative_difference(left, right, -energies.kinetic_old - energies.strain_old)};
     audit.terms.insert(audit.terms.end(), right.begin(), right.end());
     return audit;

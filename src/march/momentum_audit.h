@@ -24,6 +24,7 @@ struct ForceSums {
 
 struct MomentumSums {
     ForceSums inertia, viscous, thermal, compliance, friction, load, reaction;
+    double foundation_power = 0;  ///< of sigma_t with v_F, W: what moving foundations do on the body
 };
 
 /// Sums of all forces in one pass over the nodes; velocity [nodes][components].
@@ -42,7 +43,9 @@ struct Audit {
 };
 
 /// KE_n - KE_{n-1} + D(M, w) + SE_n - SE_{n-1} + D(E, u) + viscous + compliance + friction
-///   = loads + thermal + reactions, each as work over the step; powers are those at the stage.
+///   = loads + thermal + reactions + foundations, each as work over the step; powers are those at the stage.
+///
+/// Friction dissipates -sigma_t.(w - v_F): its power with w and what the foundation does, sigma_t.v_F.
 ///
 /// The numerical dissipation D(A, y) of a field y with the form A, KE = A(w, w)/2, SE = A(u, u)/2, is what
 /// the stage's power k A(y_s, r_s) exceeds the change of the energy by (step_rule.h; d = (y_n - y_{n-1})/k):

@@ -46,7 +46,7 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
     }
     if (scene.heat) {
         heat_.emplace(scene, part_.mesh, part_.space, graph_, *choice_.strategy, surfaces_, state_,
-                      momentum_ ? &momentum_->stage_displacement() : nullptr, sources.thermal);
+                      stage_motion(), sources.thermal);
     }
     look_for_free_motions();
     prepare();
@@ -176,8 +176,14 @@ void Simulation::accept(const StepRule& rule, StepCounts& counts) {
     ++counts.parts;
 }
 
-/// Momentum takes the temperature that is known before the step, heat the displacement: of the last state in
-/// the paper's scheme; in those of second order the expected temperature and the displacement just computed.
+/// Of the momentum balance; null without.
+model::Motion Simulation::stage_motion() const {
+    return momentum_ ? model::Motion{&momentum_->stage_displacement(), &momentum_->stage_velocity()}
+                     : model::Motion{};
+}
+
+/// Momentum takes the temperature that is known before the step, heat the motion: of the last state in the
+/// paper's scheme; in those of second order the expected temperature and the motion just computed.
 void Simulation::solve_balances(StepCounts& counts) {
     if (momentum_ && heat_ && scene_->time.coupling_tolerance) {
         solve_coupled(counts);
@@ -188,7 +194,8 @@ void Simulation::solve_balances(StepCounts& counts) {
     }
     if (heat_) {
         const bool just_computed = momentum_ && scheme_.second_order();
-        counts.heat.add(heat_->solve(just_computed ? momentum_->stage_displacement() : state_.displacement));
+        counts.heat.add(heat_->solve(just_computed ? stage_motion()
+                                                   : model::Motion{&state_.displacement, &state_.velocity}));
     }
 }
 
@@ -199,7 +206,7 @@ void Simulation::solve_coupled(StepCounts& counts) {
     std::vector<double> temperature = heat_->expected_temperature();
     for (int iteration = 0; iteration < most_coupling_iterations; ++iteration) {
         counts.momentum.add(momentum_->solve(temperature));
-        counts.heat.add(heat_->solve(momentum_->stage_displacement()));
+        counts.heat.add(heat_->solve(stage_motion()));
         const std::vector<double>& next = heat_->stage_temperature();
         double change[2] = {0, 0};  // of the largest temperature, and that itself
         for (std::size_t i = 0; i < next.size(); ++i) {

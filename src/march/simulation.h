@@ -132,6 +132,7 @@ class Simulation {
     FieldErrors field_errors() const;
     Attempt measure(const StepRule& rule, const FieldErrors& errors) const;
     void count_attempts(const StepCounts& counts);
+    model::Motion stage_motion() const;
     void solve_balances(StepCounts& counts);
     void solve_coupled(StepCounts& counts);
     const parallel::NodeNumbers& numbers_of(const std::string& member) const;

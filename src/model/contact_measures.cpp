@@ -16,6 +16,7 @@ ContactProbe::ContactProbe(const ContactSurface& surface, const mesh::Mesh& mesh
     fem::Fields fields{{"u", displacement},
                        {"u_old", displacement},
                        {"w", velocity},
+                       {"v_F", surface.velocity_of_foundation(space, dimension)},
                        {"g", {&surface.gap, 1, &space.dofmap}},
                        {"theta", {state.temperature, 1, &space.dofmap}},
                        {"theta_F", {&surface.foundation_temperature, 1, &space.dofmap}}};

@@ -26,10 +26,10 @@ struct ContactMeasures {
     double tangential_force = 0;  ///< norm of the resultant of sigma_t, N (N/m in 2D)
     double max_penetration = 0;   ///< largest r_+ at the nodes of the facets, m
     double contact_fraction = 0;  ///< share of the area with r >= 0
-    double slip_fraction = 0;     ///< share of the area that is closed and slips, |w_t| > epsilon (or as in
-                                  ///< forms/coulomb.py)
-    double heat_flow = 0;         ///< integral of q.n, W (W/m in 2D)
-    double area = 0;              ///< m^2 (m in 2D)
+    double slip_fraction = 0;  ///< share of the area that is closed and slips, |w_t - v_Ft| > epsilon (or as
+                               ///< in forms/coulomb.py)
+    double heat_flow = 0;  ///< integral of q.n, W (W/m in 2D)
+    double area = 0;       ///< m^2 (m in 2D)
 };
 
 /// Pointwise fields at the nodes of the facets: [facet][node of facet][components].
@@ -43,8 +43,8 @@ class ContactProbe {
     /// Over all facets of the surface, those of other processes included.
     ContactMeasures measure(const parallel::Team& team);
 
-    /// gap (m), slip_velocity (m/s), and, where the laws are present, pressure (Pa), traction (Pa), heat_flow
-    /// (W/m^2); where friction is exact, slips: 1 where a node does, else 0.
+    /// gap (m), slip_velocity (m/s, over the foundation), and, where the laws are present, pressure (Pa),
+    /// traction (Pa), heat_flow (W/m^2); where friction is exact, slips: 1 where a node does, else 0.
     FacetFields fields();
 
   private:

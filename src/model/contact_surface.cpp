@@ -14,10 +14,11 @@ void interpolate_fields(ContactSurface& surface, const fem::Space& space, double
         interpolate_at(space, {&surface.laws.conductance->foundation_temperature, 1}, surface.nodes, t,
                        surface.foundation_temperature);
     }
+    interpolate_at(space, surface.laws.foundation_velocity, surface.nodes, t, surface.foundation_velocity);
 }
 
 bool depends_on_time(const scene::Contact& laws) {
-    return laws.gap.depends_on_time() ||
+    return laws.gap.depends_on_time() || model::depends_on_time(laws.foundation_velocity) ||
            (laws.conductance && laws.conductance->foundation_temperature.depends_on_time());
 }
 
@@ -55,6 +56,10 @@ ContactSurfaces make_contact_surfaces(const scene::Scene& scene, const mesh::Mes
         if (surface->laws.conductance) {
             surface->foundation_temperature.resize(space.nodes.size());
         }
+        const std::size_t nodes = surface->laws.foundation_velocity.empty()
+                                      ? static_cast<std::size_t>(space.dofmap.nodes_per_cell)
+                                      : space.nodes.size();
+        surface->foundation_velocity.resize(nodes * static_cast<std::size_t>(scene.dimension));
         interpolate_fields(*surface, space, 0.0);
         surfaces.push_back(std::move(surface));
     }

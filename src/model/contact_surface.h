@@ -20,8 +20,15 @@ struct ContactSurface {
     std::vector<std::int32_t> nodes;
     std::vector<double> gap;                     ///< g at the nodes of the space, m (zero off the surface)
     std::vector<double> foundation_temperature;  ///< theta_F likewise, K; empty without conductance
+    std::vector<double> foundation_velocity =
+        {};  ///< v_F likewise [nodes][d], m/s; at rest: zeros of one cell
     std::unique_ptr<FrictionMultiplier> multiplier =
         nullptr;  ///< of the step at hand; where friction is exact
+
+    /// v_F as a coefficient of the contact forms.
+    fem::Field velocity_of_foundation(const fem::Space& space, int dimension) const {
+        return {&foundation_velocity, dimension, laws.foundation_velocity.empty() ? nullptr : &space.dofmap};
+    }
 };
 
 /// The surfaces in order of their names. Their fields keep their addresses: forms refer to them.

@@ -18,6 +18,9 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
     if (multiplier != nullptr) {
         taken["lam"] = multiplier->on_facet();
     }
+    if (law == "friction") {
+        taken["v_F"] = surface.velocity_of_foundation(*space_, components_);
+    }
     const auto form = [&](const std::string& name) {
         return std::make_unique<fem::Form>(fem::find_kernel(file + name, mesh.cell, space_->element.degree),
                                            mesh, constants, taken, surface.rule);
@@ -31,9 +34,11 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
         regularised_by = "L";
         regularisation = surface.laws.conductance->limit;
     }
+    const bool moves = !surface.laws.foundation_velocity.empty();
     const auto datum = fields.find(law == "compliance" ? "u_old" : law == "conductance" ? "theta_F" : "");
     laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"), multiplier, nullptr, nullptr,
-                     regularised_by, regularisation, datum != fields.end() ? datum->second.values : nullptr});
+                     regularised_by, regularisation, datum != fields.end() ? datum->second.values : nullptr,
+                     law == "friction" && moves ? &surface.foundation_velocity : nullptr});
     if (multiplier != nullptr) {
         laws_.back().functional = form(".functional");
         laws_.back().node_area = std::make_unique<fem::Form>(
@@ -150,9 +155,11 @@ double FacetTerm::smallest_regularisation() const {
 double FacetTerm::largest_foundation() const {
     double largest = 0;
     for (const Law& law : laws_) {
-        if (law.name == "conductance" && law.datum != nullptr) {
-            for (const double theta_F : *law.datum) {
-                largest = std::max(largest, std::abs(theta_F));
+        const std::vector<double>* foundation =
+            law.name == "conductance" ? law.datum : law.foundation_velocity;
+        if (foundation != nullptr) {
+            for (const double value : *foundation) {
+                largest = std::max(largest, std::abs(value));
             }
         }
     }
@@ -269,6 +276,26 @@ void FacetTerm::nodal_forces(std::string_view name, std::vector<double>& forces)
             });
         }
     }
+}
+
+double FacetTerm::power_of_foundations() {
+    double power = 0;
+    for (const Law& law : laws_) {
+        if (law.foundation_velocity == nullptr) {
+            continue;
+        }
+        for_facets(law, [&](const mesh::Facet& facet, std::size_t) {
+            const auto nodes = space_->dofmap.of(facet.cell);
+            const auto d = static_cast<std::size_t>(components_);
+            tensor_.assign(nodes.size() * d, 0.0);
+            law.residual->add_facet(facet, tensor_);  // -sigma_t
+            for (std::size_t i = 0; i < tensor_.size(); ++i) {
+                power -= tensor_[i] *
+                         (*law.foundation_velocity)[static_cast<std::size_t>(nodes[i / d]) * d + i % d];
+            }
+        });
+    }
+    return power;
 }
 
 }  // namespace thermocontact::model

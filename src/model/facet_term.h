@@ -55,8 +55,8 @@ class FacetTerm : public solve::NonlinearTerm {
     /// The smallest regularisation of all laws; 0 where none has one.
     double smallest_regularisation() const;
 
-    /// What a regularisation must exceed, beside the unknown itself, for conductance to be linear: the
-    /// largest theta_F (K); 0 in momentum.
+    /// What a regularisation must exceed, beside the unknown itself, for the laws to be linear: the largest
+    /// theta_F (K), in momentum the largest component of v_F (m/s).
     double largest_foundation() const;
 
     /// Whether some law is friction, whose derivative is not symmetric.
@@ -80,6 +80,10 @@ class FacetTerm : public solve::NonlinearTerm {
     /// dofs included. Writes only on the law's surfaces: elsewhere `forces` is zero already.
     void nodal_forces(std::string_view name, std::vector<double>& forces);
 
+    /// What foundations that move do on the body by friction, at the current unknown: integral of
+    /// sigma_t.v_F, W; this part's only.
+    double power_of_foundations();
+
   private:
     struct Law {
         std::string name;
@@ -90,6 +94,7 @@ class FacetTerm : public solve::NonlinearTerm {
         const char* regularised_by;                        ///< its constant's name
         double regularisation;             ///< 0: none; of exact friction the width, which is no constant
         const std::vector<double>* datum;  ///< u_old, theta_F: what is added to the unknown, or k times that
+        const std::vector<double>* foundation_velocity;  ///< v_F of friction; null at rest
     };
 
     /// Calls visit(facet, its number) with the facet's multiplier shown to the forms.

@@ -50,6 +50,17 @@ Loads Loads::thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fe
     return loads;
 }
 
+Loads Loads::ambient(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space) {
+    Loads loads(mesh, space, 1);
+    for (const auto& [name, boundary] : scene.boundaries) {
+        if (boundary.convection) {
+            loads.add("convection.ambient", "theta_a", {boundary.convection->ambient_temperature},
+                      facets_of(mesh, name), {{"h", {boundary.convection->coefficient}}});
+        }
+    }
+    return loads;
+}
+
 /// The heat source of each region on its cells, and the scene's own on the others.
 void Loads::add_sources(const scene::Scene& scene) {
     auto cells = cells_by_laws(scene, *mesh_);
@@ -84,7 +95,7 @@ std::vector<std::int32_t> Loads::nodes_of(const Domain& domain) const {
 }
 
 void Loads::add(const std::string& kernel, const std::string& coefficient,
-                std::vector<scene::Expression> expressions, Domain domain) {
+                std::vector<scene::Expression> expressions, Domain domain, const fem::Constants& constants) {
     auto term = std::make_unique<Term>();
     term->nodal.resize(constant_.size());
     term->nodes = nodes_of(domain);
@@ -92,7 +103,7 @@ void Loads::add(const std::string& kernel, const std::string& coefficient,
     term->expressions = std::move(expressions);
     const fem::Fields fields{{coefficient, {&term->nodal, components_, &space_->dofmap}}};
     term->form = std::make_unique<fem::Form>(fem::find_kernel(kernel, mesh_->cell, space_->element.degree),
-                                             *mesh_, fem::Constants{}, fields);
+                                             *mesh_, constants, fields);
     const bool varies = depends_on_time(term->expressions);
     keep(std::move(term), varies);
 }

@@ -1,5 +1,5 @@
-/// Right-hand sides: body force and traction, heat source and flux that a scene prescribes, and compiled
-/// sources.
+/// Right-hand sides: body force and traction, heat source, flux and surroundings that a scene prescribes, and
+/// compiled sources.
 #pragma once
 
 #include <functional>
@@ -33,6 +33,9 @@ class Loads {
     static Loads thermal(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space,
                          const std::vector<Source>& sources = {});
 
+    /// h theta_a of the boundaries with convection.
+    static Loads ambient(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space);
+
     /// The load vector [nodes][components] at time t (s).
     const std::vector<double>& at(double t);
 
@@ -52,7 +55,7 @@ class Loads {
 
     Loads(const mesh::Mesh& mesh, const fem::Space& space, int components);
     void add(const std::string& kernel, const std::string& coefficient,
-             std::vector<scene::Expression> expressions, Domain domain);
+             std::vector<scene::Expression> expressions, Domain domain, const fem::Constants& constants = {});
     void add(const Source& source);
     void add_sources(const scene::Scene& scene);
     void keep(std::unique_ptr<Term> term, bool varies);

@@ -31,6 +31,16 @@ bool has_conductance(const scene::Scene& scene) {
     return any_contact(scene, [](const scene::Contact& contact) { return contact.conductance.has_value(); });
 }
 
+bool has_convection(const scene::Scene& scene) {
+    return any_boundary(scene, [](const scene::Boundary& b) { return b.convection.has_value(); });
+}
+
+bool has_friction_heat(const scene::Scene& scene) {
+    return any_contact(scene, [](const scene::Contact& contact) {
+        return contact.friction && contact.friction->heat_share > 0;
+    });
+}
+
 std::vector<std::string> physics_of(const scene::Scene& scene) {
     std::vector<std::string> names;
     const auto add = [&](bool present, const char* name) {
@@ -48,12 +58,17 @@ std::vector<std::string> physics_of(const scene::Scene& scene) {
     add(any_boundary(scene, [](const scene::Boundary& b) { return !b.traction.empty(); }), "traction");
     add(has_compliance(scene), "compliance");
     add(has_friction(scene), "friction");
+    add(any_contact(scene, [](const scene::Contact& c) { return !c.foundation_velocity.empty(); }),
+        "moving_foundation");
     add(heat && heat->capacity, "heat_capacity");
     add(heat && heat->conductivity, "conduction");
     add(heat && heat->strain_heating, "strain_heating");
+    add(heat && heat->strain_rate_heating, "strain_rate_heating");
     add(heat && heat->source, "heat_source");
     add(any_boundary(scene, [](const scene::Boundary& b) { return b.heat_flux.has_value(); }), "heat_flux");
+    add(has_convection(scene), "convection");
     add(has_conductance(scene), "conductance");
+    add(has_friction_heat(scene), "friction_heat");
     return names;
 }
 
@@ -81,6 +96,7 @@ fem::Constants constants_of(const std::optional<scene::Material>& the_material,
     tensor2("K", heat.conductivity);
     tensor2("M", heat.thermal_stress);
     tensor2("R", heat.strain_heating);
+    tensor2("R_rate", heat.strain_rate_heating);
     return constants;
 }
 
@@ -131,6 +147,7 @@ fem::Constants contact_constants(const scene::Contact& contact, double step) {
     if (contact.friction) {
         constants["mu"] = {contact.friction->coefficient};
         constants["eps"] = {contact.friction->regularisation};
+        constants["heat_share"] = {contact.friction->heat_share};
     }
     if (contact.conductance) {
         constants["k_c"] = {contact.conductance->coefficient};

@@ -32,5 +32,7 @@ fem::Constants contact_constants(const scene::Contact& contact, double step);
 bool has_compliance(const scene::Scene& scene);
 bool has_friction(const scene::Scene& scene);
 bool has_conductance(const scene::Scene& scene);
+bool has_convection(const scene::Scene& scene);
+bool has_friction_heat(const scene::Scene& scene);
 
 }  // namespace thermocontact::model

@@ -154,6 +154,7 @@ Heat read_heat(const Settings& s, const std::string& at, Heat heat) {
     read_tensor(s, at + "heat.conductivity", heat.conductivity);
     read_tensor(s, at + "heat.thermal_stress", heat.thermal_stress);
     read_tensor(s, at + "heat.strain_heating", heat.strain_heating);
+    read_tensor(s, at + "heat.strain_rate_heating", heat.strain_rate_heating);
     const std::string coupling = at + "heat.thermal_stress";
     if (s.has(coupling) && s.value(coupling).is_number() && kinematics_of(s) == Kinematics::plane_strain) {
         heat.thermal_stress->out_of_plane = number(s, coupling);
@@ -183,6 +184,7 @@ std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
     }
     Contact contact;
     contact.gap = to_expression(s, s.value(at + ".gap"));
+    contact.foundation_velocity = expressions(s, at + ".foundation_velocity");
     contact.quadrature = s.value(at + ".quadrature") == "vertex" ? 0 : integer(s, at + ".quadrature");
     if (s.written(at + ".compliance")) {
         contact.compliance = {number(s, at + ".compliance.stiffness"),
@@ -191,6 +193,9 @@ std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
     if (s.written(at + ".friction")) {
         contact.friction = {number(s, at + ".friction.coefficient"),
                             number(s, at + ".friction.regularisation")};
+        if (s.has(at + ".friction.heat_share")) {
+            contact.friction->heat_share = number(s, at + ".friction.heat_share");
+        }
     }
     if (const std::string law = at + ".conductance"; s.written(law)) {
         contact.conductance = {number(s, law + ".coefficient"), number(s, law + ".onset"),
@@ -202,11 +207,18 @@ std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
     return contact;
 }
 
+std::optional<Convection> read_convection(const Settings& s, const std::string& at) {
+    if (!s.written(at)) {
+        return std::nullopt;
+    }
+    return Convection{number(s, at + ".coefficient"), to_expression(s, s.value(at + ".ambient_temperature"))};
+}
+
 Boundary read_boundary(const Settings& s, const std::string& name) {
     const std::string at = "boundary." + name;
-    return {free_expressions(s, at + ".displacement"), expressions(s, at + ".traction"),
+    return {free_expressions(s, at + ".displacement"),   expressions(s, at + ".traction"),
             optional_expression(s, at + ".temperature"), optional_expression(s, at + ".heat_flux"),
-            read_contact(s, at + ".contact")};
+            read_convection(s, at + ".convection"),      read_contact(s, at + ".contact")};
 }
 
 std::vector<std::string> names_in_force(const Settings& s, const std::string& prefix) {

@@ -68,11 +68,12 @@ struct Material {
 };
 
 struct Heat {
-    std::optional<double> capacity;                 ///< J/(m^3 K)
-    std::optional<SymmetricTensor> conductivity;    ///< W/(m K)
-    std::optional<Expression> source;               ///< W/m^3
-    std::optional<SymmetricTensor> thermal_stress;  ///< M, Pa/K
-    std::optional<SymmetricTensor> strain_heating;  ///< R, W/m^3 (per unit strain)
+    std::optional<double> capacity;                           ///< J/(m^3 K)
+    std::optional<SymmetricTensor> conductivity;              ///< W/(m K)
+    std::optional<Expression> source;                         ///< W/m^3
+    std::optional<SymmetricTensor> thermal_stress;            ///< M, Pa/K
+    std::optional<SymmetricTensor> strain_heating;            ///< R, W/m^3 (per unit strain)
+    std::optional<SymmetricTensor> strain_rate_heating = {};  ///< of the strain rate, J/m^3
 };
 
 /// What one named region of the mesh is made of: the scene's defaults with the region's own numbers over
@@ -96,6 +97,8 @@ struct Compliance {
 struct Friction {
     double coefficient;     ///< mu
     double regularisation;  ///< epsilon, m/s
+    double heat_share =
+        0;  ///< of what friction dissipates, that heats the body; the foundation takes the rest
 };
 
 struct Conductance {
@@ -108,9 +111,17 @@ struct Conductance {
 struct Contact {
     Expression gap;      ///< initial gap g, m
     int quadrature = 4;  ///< degree of the Gauss rule on facets; 0: the rule at the facet's nodes ("vertex")
+    std::vector<Expression> foundation_velocity =
+        {};  ///< [d] m/s, its tangential part counts; size 0: at rest
     std::optional<Compliance> compliance;
     std::optional<Friction> friction;
     std::optional<Conductance> conductance;
+};
+
+/// Heat exchange with the surroundings, q.n = h (theta - theta_a).
+struct Convection {
+    double coefficient;              ///< h, W/(m^2 K)
+    Expression ambient_temperature;  ///< theta_a, K
 };
 
 struct Boundary {
@@ -119,6 +130,7 @@ struct Boundary {
     std::vector<Expression> traction;       ///< [d] Pa; size 0: none
     std::optional<Expression> temperature;  ///< K
     std::optional<Expression> heat_flux;    ///< W/m^2 into the body
+    std::optional<Convection> convection;
     std::optional<Contact> contact;
 };
 

@@ -135,6 +135,10 @@ std::vector<Key> material_keys() {
          .example = "1.5",
          .description = "R in the heat R : e(u) produced per volume by a strain e(u); a number means "
          "isotropic."},
+        {.name = "heat.strain_rate_heating", .type = Type::symmetric_tensor, .unit = "J/m^3", .needs = {"material"},
+         .example = "-0.5",
+         .description = "R' in the heat R' : e(w) produced per volume by a strain rate e(w); a number means isotropic. "
+         "Thermoelasticity has R' = -theta_0 M, theta_0 the absolute temperature."},
 
         {.name = "load.body_force", .type = Type::expressions, .unit = "N/m^3", .needs = {"material"},
          .example = R"toml([0.0, "-9.81*min(t, 1)"])toml", .description = "Force per volume."},
@@ -179,10 +183,17 @@ std::vector<Key> boundary_keys() {
         {.name = "boundary.NAME.traction", .type = Type::expressions, .unit = "Pa", .needs = {"material"},
          .example = R"toml([1.4, "0.4*cos(pi*t)"])toml", .description = "Force per area on the boundary."},
         {.name = "boundary.NAME.temperature", .type = Type::expression, .unit = "K",
-         .excludes = {"boundary.NAME.heat_flux", "boundary.NAME.contact.conductance"}, .needs = {"heat"},
+         .excludes = {"boundary.NAME.heat_flux", "boundary.NAME.convection", "boundary.NAME.contact.conductance"},
+         .needs = {"heat"},
          .example = R"("10*t")", .description = "Prescribed temperature, from the first step on."},
         {.name = "boundary.NAME.heat_flux", .type = Type::expression, .unit = "W/m^2", .needs = {"heat"},
          .example = "5.0", .description = "Heat that flows into the body per area."},
+        {.name = "boundary.NAME.convection.coefficient", .type = Type::number, .unit = "W/(m^2 K)",
+         .range = not_negative, .required = true, .needs = {"heat"}, .example = "10.0",
+         .description = "h in the heat h (theta - theta_a) that the boundary gives to its surroundings per area."},
+        {.name = "boundary.NAME.convection.ambient_temperature", .type = Type::expression, .unit = "K",
+         .required = true, .needs = {"heat"}, .example = R"toml("20 + 5*sin(t)")toml",
+         .description = "Temperature theta_a of the surroundings."},
 
         {.name = "boundary.NAME.contact.gap", .type = Type::expression, .unit = "m", .fallback = "0.0",
          .example = R"("0.001*x^2")", .description = "Initial gap between the boundary and the foundation."},
@@ -191,6 +202,12 @@ std::vector<Key> boundary_keys() {
          .description = "Degree up to which the Gauss rule of contact integrals is exact, or vertex for the "
          "rule at the facet's nodes (on triangles of degree 2 the midpoints of the edges: the corners would have "
          "weight 0)."},
+
+        {.name = "boundary.NAME.contact.foundation_velocity", .type = Type::expressions, .unit = "m/s",
+         .needs = {"boundary.NAME.contact.friction"}, .example = R"(["-2*y", "2*x"])",
+         .description = "Velocity of the foundation below the place x, y, z, which friction acts against; only its part "
+         "along the boundary counts. A disc that turns about z has (-omega*(y - y0), omega*(x - x0), 0). Absent: at "
+         "rest."},
 
         {.name = "boundary.NAME.contact.compliance.stiffness", .type = Type::number, .unit = "Pa/m^exponent",
          .range = positive, .required = true, .needs = {"material"}, .example = "1e4",
@@ -207,6 +224,10 @@ std::vector<Key> boundary_keys() {
          .example = "1e-4",
          .description = "Slip velocity epsilon below which friction is smoothed; 0: Coulomb's law itself, with "
          "contact.quadrature 1, 2, 4 or vertex."},
+        {.name = "boundary.NAME.contact.friction.heat_share", .type = Type::number, .range = from_to(0, 1),
+         .needs = {"boundary.NAME.contact.compliance", "heat"}, .example = "0.5",
+         .description = "Share of what friction dissipates that heats the body; the foundation, whose temperature is "
+         "given, takes the rest. Absent: none."},
 
         {.name = "boundary.NAME.contact.conductance.coefficient", .type = Type::number, .unit = "W/(m^2 K)",
          .range = not_negative, .required = true, .needs = {"heat"}, .example = "1.0",

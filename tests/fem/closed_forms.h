@@ -163,6 +163,11 @@ inline std::map<std::string, ClosedForm> closed_forms() {
             return eta * contract(at.constants.at("R"), u.strain());
         });
     });
+    cell("strain_heating.rate_coupling", [](At at) {
+        return outer(at.shapes(), vector_shapes(at), [&](const auto& eta, const auto& u) {
+            return eta * contract(at.constants.at("R_rate"), u.strain());
+        });
+    });
     cell("body_force.load", vector_load);
     cell("heat_source.load", [](At at) { return scalar_load(at, at.theta); });
     cell("stress.integrated", stress);
@@ -172,6 +177,11 @@ inline std::map<std::string, ClosedForm> closed_forms() {
     forms["norms.velocity_trace"] = {Domain::facet, on_cell([](At at) { return vector_mass(at, 1.0); })};
     forms["norms.temperature_trace"] = {Domain::facet, on_cell([](At at) { return scalar_mass(at, 1.0); })};
     forms["heat_flux.load"] = {Domain::facet, on_cell([](At at) { return scalar_load(at, at.theta); })};
+
+    forms["convection.exchange"] = {Domain::facet,
+                                    on_cell([](At at) { return scalar_mass(at, at.constant("h")); })};
+    forms["convection.ambient"] = {
+        Domain::facet, on_cell([](At at) { return scalar_load(at, at.theta * at.constant("h")); })};
 
     contact("compliance.residual", Domain::contact, [](At at, On on) {
         return each(vector_shapes(at), [&](const auto& v) { return on.p * v.dot(on.n); });
@@ -194,6 +204,12 @@ inline std::map<std::string, ClosedForm> closed_forms() {
         return each(vector_shapes(at),
                     [&](const auto& v) { return on.p * (-at.constant("mu") / on.speed) * v.dot(on.w_t); });
     });
+    contact("friction.heat", Domain::contact, [](At at, On on) {
+        const double slip_squared = on.w_t[0] * on.w_t[0] + on.w_t[1] * on.w_t[1];
+        const double factor = at.constant("heat_share") * at.constant("mu") * slip_squared / on.speed;
+        return scalar_load(at, on.p * factor);
+    });
+    contact("coulomb.heat", Domain::contact, projected_heat);
     contact("coulomb.residual", Domain::contact, projected_load);
     contact("coulomb.jacobian", Domain::contact, projected_jacobian);
     contact("coulomb.functional", Domain::contact, projected_functional);

@@ -32,6 +32,13 @@ inline std::vector<Polynomial> projected_load(const Situation& at, const Contact
     });
 }
 
+/// share * -sigma_t . w_t.
+inline std::vector<Polynomial> projected_heat(const Situation& at, const Contact& on) {
+    const Projection to(at, on);
+    const double power = at.constant("heat_share") * (to.t[0] * on.w_t[0] + to.t[1] * on.w_t[1]);
+    return scalar_load(at, at.held ? Polynomial(power) : on.p * (at.constant("mu") * power / to.size));
+}
+
 inline std::vector<Polynomial> projected_jacobian(const Situation& at, const Contact& on) {
     const Projection to(at, on);
     const double mu = at.constant("mu"), k = at.constant("k"), gamma = at.constant("gamma");

@@ -35,6 +35,9 @@ Constants constants() {
             {"M", {0.3, 0.1, 0.1, 0.2}},
             {"M_zz", {0.45}},
             {"R", {0.4, -0.1, -0.1, 0.3}},
+            {"R_rate", {-0.2, 0.3, 0.3, 0.5}},
+            {"h", {3.1}},
+            {"heat_share", {0.6}},
             {"c_n", {40}},
             {"m", {1}},
             {"mu", {0.3}},
@@ -89,7 +92,7 @@ std::vector<Situation> contact_situations(const Triangle& triangle, int degree) 
         at.closed = false;
         at.transfer_slope = 0;
     });
-    add("touching at rest", [](Situation& at) { at.u = at.w = {}, at.g = Polynomial(); });
+    add("touching at rest", [](Situation& at) { at.u = at.w = {}, at.g = Polynomial(), at.foundation = {}; });
     add("sliding slower than epsilon", [](Situation& at) { at.constants["eps"] = {3.0}; });
     add("frictionless epsilon", [](Situation& at) { at.constants["eps"] = {-1.0}; });
     add("held while it moves", [](Situation& at) {
@@ -97,7 +100,7 @@ std::vector<Situation> contact_situations(const Triangle& triangle, int degree) 
         at.held = true;
     });
     add("held at rest", [](Situation& at) {
-        at.w = {Polynomial(0.0), Polynomial(0.0)};
+        at.w = {Polynomial(at.foundation[0]), Polynomial(at.foundation[1])};
         at.multiplier = {0.5, 0.3};
         at.held = true;
     });
@@ -128,7 +131,8 @@ class OneElement {
         add("f", {at.f[0], at.f[1]});
         add("g", {at.g});
         add("theta_F", {at.theta_F});
-        for (const char* name : {"theta", "q0", "flux"}) {
+        add("v_F", {Polynomial(at.foundation[0]), Polynomial(at.foundation[1])});
+        for (const char* name : {"theta", "theta_a", "q0", "flux"}) {
             add(name, {at.theta});
         }
         for (std::size_t node = 0; node < quadratic_.nodes.size(); ++node) {

@@ -31,8 +31,9 @@ struct Situation {
     double transfer_offset = 0;
     double limited_slope = 1;  ///< phi_L(s) = limited_offset + limited_slope s
     double limited_offset = 0;
-    Vector2 multiplier{12, -9};  ///< of Coulomb's law, the same everywhere
-    bool held = false;           ///< |multiplier + gamma w_t| < mu p_n on all facets; else greater
+    Vector2 multiplier{12, -9};      ///< of Coulomb's law, the same everywhere
+    Vector2 foundation{0.1, -0.25};  ///< v_F, the same everywhere
+    bool held = false;               ///< |multiplier + gamma w_t| < mu p_n on all facets; else greater
 
     double constant(const std::string& name) const { return constants.at(name).front(); }
     std::vector<Polynomial> shapes() const { return support::shape_functions(degree); }
@@ -98,9 +99,9 @@ inline std::vector<Polynomial> scalar_load(const Situation& at, const Polynomial
 /// The contact quantities of one facet.
 struct Contact {
     Vector2 n;
-    Polynomial r;      ///< u.n - g
-    Polynomial p, dp;  ///< p_n(r), p_n'(r)
-    Vector2 w_t;
+    Polynomial r;          ///< u.n - g
+    Polynomial p, dp;      ///< p_n(r), p_n'(r)
+    Vector2 w_t;           ///< over the foundation
     double speed;          ///< |w_t|_eps
     double tangent[2][2];  ///< I - n n^T
 
@@ -112,7 +113,7 @@ struct Contact {
             dp = m == 1 ? Polynomial(c_n) : 2 * c_n * r;
         }
         const std::array<double, 3> anywhere{1, 0, 0};  // w is constant
-        const Vector2 w{at.w[0](anywhere), at.w[1](anywhere)};
+        const Vector2 w{at.w[0](anywhere) - at.foundation[0], at.w[1](anywhere) - at.foundation[1]};
         const double w_n = w[0] * n[0] + w[1] * n[1];
         w_t = {w[0] - w_n * n[0], w[1] - w_n * n[1]};
         speed = std::sqrt(w_t[0] * w_t[0] + w_t[1] * w_t[1] + eps * eps);

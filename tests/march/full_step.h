@@ -147,6 +147,7 @@ class FullStep {
         for (const auto& surface : at_.surfaces) {
             const fem::Fields fields{{"w", {&now.velocity, 2, &at_.space.dofmap}},
                                      {"u_old", {&old.displacement, 2, &at_.space.dofmap}},
+                                     {"v_F", surface->velocity_of_foundation(at_.space, 2)},
                                      {"g", {&surface->gap, 1, &at_.space.dofmap}}};
             if (surface->laws.compliance) {
                 add_law(laws, *surface, "compliance", k_, fields);
@@ -170,6 +171,10 @@ class FullStep {
         if (scene.heat->strain_heating) {
             r += matrix(true, "strain_heating.coupling", 1, 2) * support::as_vector(old.displacement);
         }
+        if (scene.heat->strain_rate_heating) {
+            r += matrix(true, "strain_heating.rate_coupling", 1, 2) * support::as_vector(old.velocity);
+        }
+        rub(old, now, r);
         const auto prescribed = model::Prescribed::temperature(scene, at_.mesh, at_.space);
         prescribed.apply(time, now.temperature);
         const std::vector<double> at_rest(2 * at_.node_count(), 0.0);
@@ -185,7 +190,52 @@ class FullStep {
                 add_law(laws, *surface, "conductance", 0.0, fields);
             }
         }
-        newton(C + K, r, laws, 1, prescribed.fixed(), now.temperature);
+        newton(C + K + surroundings(r, time), r, laws, 1, prescribed.fixed(), now.temperature);
+    }
+
+    /// Adds the share of what friction dissipates in the new state to r.
+    void rub(const State& old, const State& now, Vector& r) const {
+        std::vector<double> heat(at_.node_count(), 0.0);
+        for (const auto& surface : at_.surfaces) {
+            if (!surface->laws.friction) {
+                continue;
+            }
+            const fem::Fields fields{{"w", {&now.velocity, 2, &at_.space.dofmap}},
+                                     {"u_old", {&old.displacement, 2, &at_.space.dofmap}},
+                                     {"v_F", surface->velocity_of_foundation(at_.space, 2)},
+                                     {"g", {&surface->gap, 1, &at_.space.dofmap}}};
+            fem::Form form(fem::find_kernel("friction.heat", at_.mesh.cell, at_.scene.degree), at_.mesh,
+                           model::contact_constants(surface->laws, k_), fields, surface->rule);
+            fem::assemble_facets(form, surface->facets, at_.space.dofmap, 1, heat);
+        }
+        r += support::as_vector(heat);
+    }
+
+    /// The matrix of h theta; adds h theta_a to r. By the heat flux of every unit vector.
+    Matrix surroundings(Vector& r, double time) const {
+        const auto n = static_cast<Eigen::Index>(at_.node_count());
+        Matrix H = Matrix::Zero(n, n);
+        for (const auto& [name, boundary] : at_.scene.boundaries) {
+            if (!boundary.convection) {
+                continue;
+            }
+            std::vector<double> flux(at_.node_count(), 0.0);
+            fem::Form form(fem::find_kernel("heat_flux.load", at_.mesh.cell, at_.scene.degree), at_.mesh, {},
+                           {{"flux", {&flux, 1, &at_.space.dofmap}}});
+            const auto load = [&] {
+                std::vector<double> vector(at_.node_count(), 0.0);
+                fem::assemble_facets(form, model::facets_of(at_.mesh, name), at_.space.dofmap, 1, vector);
+                return Vector(boundary.convection->coefficient * support::as_vector(vector));
+            };
+            for (std::size_t node = 0; node < flux.size(); ++node) {
+                flux[node] = 1;
+                H.col(static_cast<Eigen::Index>(node)) += load();
+                flux[node] = 0;
+            }
+            flux = model::interpolate(at_.space, {&boundary.convection->ambient_temperature, 1}, 1, time);
+            r += load();
+        }
+        return H;
     }
 
     support::Discretisation at_;

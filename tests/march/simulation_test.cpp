@@ -499,13 +499,19 @@ TEST(Simulation, TotalsCountTheHistory) {
 /// The terms of the heat balance in the history: storage + outflow = inflow of prescribed sides, loads and
 /// strain. Each is there, and they balance to the audit's 1e-9 of their magnitudes, in a step that is solved.
 TEST(Simulation, HeatTermsBalance) {
-    const scene::Scene scene = repository_scene("anisotropic", {"mesh.cells=[5,4]"});
+    const scene::Scene scene = repository_scene(
+        "anisotropic", {"mesh.cells=[5,4]", "boundary.bottom.contact.friction.heat_share=0.8",
+                        "heat.strain_rate_heating=0.5", "boundary.left.convection.coefficient=2.5",
+                        "boundary.left.convection.ambient_temperature=4.0"});
     Simulation simulation(scene);
     const std::map<std::string, double> signs{{"heat_storage_rate", 1},
                                               {"contact_heat_outflow", 1},
                                               {"prescribed_temperature_inflow", -1},
                                               {"load_heat_inflow", -1},
-                                              {"strain_heat_inflow", -1}};
+                                              {"strain_heat_inflow", -1},
+                                              {"strain_rate_heat_inflow", -1},
+                                              {"friction_heat_inflow", -1},
+                                              {"convection_heat_outflow", 1}};
     std::map<std::string, double> largest;
     while (!simulation.finished()) {
         simulation.advance();

@@ -1,7 +1,7 @@
 """Results that must agree once they are carried over: points and vectors moved, numbers in the same unit."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +29,7 @@ class Carry:
     points: Move = unchanged
     vectors: Move = unchanged
     factor: Callable[[str], float] = lambda name: 1.0
+    drift: Mapping[str, Array] = field(default_factory=dict)  # [3], added to a field
 
 
 def difference(base: Path, other: Path, carry: Carry) -> tuple[float, str]:
@@ -65,6 +66,7 @@ def _field(base: list[vtu.Grid], other: list[vtu.Grid], name: str, carry: Carry)
     places, values = _places(base[-1], name)
     places = np.hstack([carry.points(places[:, i : i + 3]) for i in range(0, places.shape[1], 3)])
     expected = (carry.vectors(values) if name in VECTORS else values) * carry.factor(name)
+    expected = expected + carry.drift.get(name, 0.0)
     other_places, found = _places(other[-1], name)
     size = float(np.ptp(places, axis=0).max())
     distance, index = cKDTree(other_places).query(places)

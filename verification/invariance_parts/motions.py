@@ -1,4 +1,4 @@
-"""Scenes moved: x' = Q x + shift with an orthogonal Q. What moves with them is derived here.
+"""Scenes moved: x' = Q x + shift with an orthogonal Q, or x' = x + V t. What moves with them is derived here.
 
 Rectangles and boxes are mirrored, turned by right angles and shifted, so that sides remain sides; a mesh file is turned
 by any angle.
@@ -14,7 +14,7 @@ import numpy as np
 from invariance_parts.compared import Array, Carry
 from matrix_parts.scenes import Flat
 
-VECTOR_KEYS: Final = ("body_force", ".displacement", ".velocity", ".traction")
+VECTOR_KEYS: Final = ("body_force", ".displacement", ".velocity", ".traction", ".foundation_velocity")
 OTHER_DIAGONAL: Final = {"right": "left", "left": "right", "crossed": "crossed"}
 SIDES: Final = {  # outward normals
     "left": (-1, 0, 0),
@@ -101,6 +101,44 @@ class Motion:
         return re.sub(r"\b[xyz]\b", lambda match: old[match[0]], value)
 
 
+@dataclass(frozen=True)
+class Boost:
+    """The scene in a frame in which everything moves with `velocity` [d], m/s, beside what it does already."""
+
+    name: str
+    velocity: tuple[float, ...]
+
+    def scene(self, scene: Mapping[str, Any]) -> Flat:
+        d = len(self.velocity)
+        boosted = {"initial.velocity": [0.0] * d, **scene}
+        boosted["initial.velocity"] = self._faster(boosted["initial.velocity"])
+        for key, value in scene.items():
+            side, _, rest = key.removeprefix("boundary.").partition(".")
+            if rest == "displacement":
+                boosted[key] = [_plus(part, v, "*t") for part, v in zip(value, self.velocity)]
+            elif rest == "contact.compliance.stiffness":
+                contact = f"boundary.{side}.contact"
+                along_normal = float(np.dot(self.velocity, SIDES[side][:d]))
+                boosted[f"{contact}.gap"] = _plus(scene.get(f"{contact}.gap", 0.0), along_normal, "*t")
+                belt = f"{contact}.foundation_velocity"
+                if f"{contact}.friction.coefficient" in scene:
+                    boosted[belt] = self._faster(scene.get(belt, [0.0] * d))
+        return boosted
+
+    def carry(self, end: float) -> Carry:
+        """Of results at the time `end` (s)."""
+        velocity = np.zeros(3)
+        velocity[: len(self.velocity)] = self.velocity
+        return Carry(drift={"displacement": end * velocity, "velocity": velocity})
+
+    def _faster(self, components: list[Any]) -> list[Any]:
+        return [_plus(part, v, "") for part, v in zip(components, self.velocity)]
+
+
+def _plus(part: Any, number: float, factor: str) -> Any:
+    return part if part == "free" else f"({part}) + ({number!r}){factor}"
+
+
 def _combined(weights: tuple[float, ...] | list[float], parts: list[Any]) -> Any:
     """The weighted sum: the part itself, a number, or an expression. "free" moves whole."""
     used = [(weight, part) for weight, part in zip(weights, parts) if weight != 0]
@@ -132,6 +170,9 @@ SPACE: Final = (
     Motion("turned about x by 90, shifted", ((1, 0, 0), (0, 0, -1), (0, 1, 0)), (0.5, -4.0, 2.0)),
     Motion("x and z exchanged", ((0, 0, 1), (0, 1, 0), (1, 0, 0))),
 )
+
+
+BOOSTS: Final = (Boost("seen from a train", (0.7, -0.4)), Boost("seen from a lift", (0.0, 3.0)))
 
 
 def orders(scene: Flat) -> Iterator[tuple[str, Callable[[], Flat]]]:

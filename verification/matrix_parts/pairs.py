@@ -46,6 +46,11 @@ FACTORS: Mapping[str, Mapping[str, Flat]] = {
         "matrix": {"heat.strain_heating": COUPLING},
         "off": {"heat.strain_heating": ABSENT},
     },
+    "strain rate heating": {
+        "off": {},
+        "number": {"heat.strain_rate_heating": -0.4},
+        "matrix": {"heat.strain_rate_heating": COUPLING},
+    },
     "source": {"number": {}, "moving": {"heat.source": "x - 2*y*t"}, "off": {"heat.source": ABSENT}},
     "body force": {
         "number": {},
@@ -67,6 +72,15 @@ FACTORS: Mapping[str, Mapping[str, Flat]] = {
         "off": {f"{SIDE}.compliance": ABSENT},
     },
     "friction": {"on": {}, "off": {f"{SIDE}.friction": ABSENT}},
+    "foundation": {"at rest": {}, "moves": {f"{SIDE}.foundation_velocity": ["0.2 - 0.3*x*t", 0.1]}},
+    "friction heat": {"off": {}, "on": {f"{SIDE}.friction.heat_share": 0.7}},
+    "convection": {
+        "off": {},
+        "on": {
+            "boundary.right.convection.coefficient": 1.7,
+            "boundary.right.convection.ambient_temperature": "2 - y + t",
+        },
+    },
     "conductance": {
         "unlimited": {},
         "limited": {f"{SIDE}.conductance.limit": 0.7},
@@ -107,6 +121,10 @@ ILLEGAL: tuple[Pair, ...] = (
     frozenset({("elasticity", "off"), ("viscosity", "off")}),
     frozenset({("capacity", "off"), ("conductivity", "off")}),
     frozenset({("compliance", "off"), ("friction", "on")}),
+    frozenset({("compliance", "off"), ("foundation", "moves")}),
+    frozenset({("compliance", "off"), ("friction heat", "on")}),
+    frozenset({("friction", "off"), ("foundation", "moves")}),
+    frozenset({("friction", "off"), ("friction heat", "on")}),
     frozenset({("compliance", "off"), ("conductance", "off")}),
 )
 

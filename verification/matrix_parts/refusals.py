@@ -48,7 +48,7 @@ def _in_space(schema: Sequence[Entry]) -> Iterator[Refusal]:
     for entry in schema:
         key = str(entry["key"])
         if str(entry["type"]).startswith("d ") and not key.startswith("region."):
-            names = [name for name in (*plane, "mesh.lower") if generic(name) == key]
+            names = [name for name in plane if generic(name) == key] or [key.replace("NAME", SIDE)]
             short = {names[0]: base.get(names[0], [0.0] * 3)[:2]}
             yield Refusal(key, "two components in space", base | short)
     for key, rows in (("heat.conductivity", 2), ("heat.thermal_stress", 2), ("heat.strain_heating", 2)):
@@ -80,7 +80,7 @@ def _of(entry: Entry, schema: Sequence[Entry]) -> Iterator[Refusal]:
     for other in entry["excludes"]:
         # whichever of the two the message names
         beside = without(base, [other]) if f"{other}.".replace("NAME", SIDE) in name else base
-        yield Refusal(key, f"excludes {other}", beside | _least(other) | {name: entry["example"]})
+        yield Refusal(key, f"excludes {other}", beside | _least(other, schema) | {name: entry["example"]})
 
 
 def _with_room(entry: Entry) -> Flat:
@@ -128,9 +128,10 @@ def _is_served(name: str, needs: Mapping[str, Sequence[str]], scene: Flat) -> bo
     return all(any(is_below(key, table) for key in scene) for table in tables)
 
 
-def _least(key: str) -> Flat:
+def _least(key: str, schema: Sequence[Entry]) -> Flat:
     """What a scene needs to have that key, or the table of that name."""
     scene = BASES[BASE]
     prefix = key.replace("NAME", SIDE)
     found = {name: value for name, value in scene.items() if is_below(name, prefix)}
-    return found or {prefix: 1.0}
+    examples = {str(entry["key"]).replace("NAME", SIDE): entry["example"] for entry in schema}
+    return found or {name: value for name, value in examples.items() if is_below(name, prefix)}

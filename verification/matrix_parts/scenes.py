@@ -49,12 +49,17 @@ BESIDE = {
 MECHANICAL = ("material", "load", "initial.displacement", "initial.velocity") + (
     "heat.thermal_stress",
     "heat.strain_heating",
+    "heat.strain_rate_heating",
     "NAME.displacement",
     "NAME.traction",
+    "NAME.contact.foundation_velocity",
     "NAME.contact.compliance",
     "NAME.contact.friction",
 )
-THERMAL = ("heat", "initial.temperature", "NAME.temperature", "NAME.heat_flux", "NAME.contact.conductance")
+THERMAL = ("heat", "initial.temperature", "NAME.temperature", "NAME.heat_flux", "NAME.convection") + (
+    "NAME.contact.conductance",
+    "NAME.contact.friction.heat_share",
+)
 
 
 def is_below(key: str, prefix: str) -> bool:

@@ -161,6 +161,7 @@ def _heat_and_loads() -> dict[str, list[Variation]]:
             *vary(CONTACT, "heat.strain_heating", -1.0, COUPLING, ABSENT),
             *vary("coupled", "heat.strain_heating", COUPLING, ABSENT),
         ],
+        "heat.strain_rate_heating": _strain_rate_heating(),
         "load.body_force": [
             *vary(CONTACT, "load.body_force", [1.0, 2.0], vector, ABSENT),
             *vary("mechanics", "load.body_force", vector, ABSENT),
@@ -169,6 +170,47 @@ def _heat_and_loads() -> dict[str, list[Variation]]:
         "initial.velocity": vary(CONTACT, "initial.velocity", [0.1, -0.2], ["y", "0.1*sin(x)"], ABSENT),
         "initial.temperature": vary(CONTACT, "initial.temperature", 2.0, "x*x - 3*y", ABSENT),
     }
+
+
+def _strain_rate_heating() -> list[Variation]:
+    key, iterated = "heat.strain_rate_heating", {"time.coupling": "iterated"}
+    return [
+        *vary(CONTACT, key, -1.0, COUPLING),
+        *vary("coupled", key, 0.7, COUPLING, beside={"heat.strain_heating": ABSENT}),
+        *vary(CONTACT, key, COUPLING, beside=iterated),
+        *vary("coupled", key, COUPLING, beside={"time.scheme": "bdf2"}),
+        *vary(CONTACT, key, -1.0, beside={"time.scheme": "midpoint", **iterated}),
+        *vary(CONTACT, key, 0.5, beside={"material.density": ABSENT, "initial.velocity": ABSENT}),
+    ]
+
+
+def convection(side: str, base: str, moving: str) -> dict[str, list[Variation]]:
+    """`moving`: an ambient temperature that depends on place and time."""
+    h, ambient = (f"boundary.{side}.convection.{key}" for key in ("coefficient", "ambient_temperature"))
+    return {
+        "convection.coefficient": [
+            *vary(base, h, 0.0, beside={ambient: 4.0}, same="nothing is exchanged"),
+            *vary(base, h, 2.5, beside={ambient: 4.0}),
+        ],
+        "convection.ambient_temperature": vary(base, ambient, -1.0, moving, beside={h: 2.0}),
+    }
+
+
+def _held_by_convection() -> list[Variation]:
+    """Without capacity and prescribed temperatures; of degree 2; where a conductance beside it is limited."""
+    h, ambient = (f"boundary.right.convection.{key}" for key in ("coefficient", "ambient_temperature"))
+    return [
+        *vary(
+            "heat", h, 1.5, beside={ambient: 3.0, "heat.capacity": ABSENT, "boundary.top.temperature": ABSENT}
+        ),
+        *vary("heat", h, 1.5, beside={ambient: "1 + y", "space.degree": 2, "time.scheme": "bdf2"}),
+        *vary(
+            "contact without mechanics",
+            h,
+            1.5,
+            beside={ambient: 3.0, "mesh.cell": "tensor", "boundary.bottom.contact.conductance.limit": 0.7},
+        ),
+    ]
 
 
 def _conditions(side: str) -> dict[str, list[Variation]]:
@@ -198,6 +240,7 @@ def _conditions(side: str) -> dict[str, list[Variation]]:
             *vary(plain, heat_flux, -1.0, "x - y + 5*t"),
             *(vary(plain, heat_flux, ABSENT) if is_loaded else []),
         ],
+        **convection(side, plain, "x + 3*y*t"),
     }
 
 
@@ -233,6 +276,7 @@ def contact_on(side: str, shape: str = "rectangle") -> dict[str, list[Variation]
             Variation(base, frictionless),
         ],
         "contact.friction.regularisation": vary(base, f"{friction}.regularisation", 1e-5, 0.5, 0.0),
+        **rubbing(side, shape),
         "contact.conductance.coefficient": [
             *vary(base, f"{conductance}.coefficient", 0.0, 9.0),
             Variation(base, {conductance: ABSENT}),
@@ -244,6 +288,28 @@ def contact_on(side: str, shape: str = "rectangle") -> dict[str, list[Variation]
             *vary(without_mechanics, foundation.replace(side, "bottom"), f"2 + x*y - 5*t{z}"),
         ],
         "contact.conductance.limit": vary(base, f"{conductance}.limit", 0.5, 1.0),
+    }
+
+
+def rubbing(side: str, shape: str = "rectangle") -> dict[str, list[Variation]]:
+    """A foundation that moves, and the heat of friction."""
+    base, contact = base_name(shape, f"contact {side}"), f"boundary.{side}.contact"
+    belt, share = f"{contact}.foundation_velocity", f"{contact}.friction.heat_share"
+    exact = {f"{contact}.friction.regularisation": 0.0}
+    d = 2 if shape == "rectangle" else 3
+    steady = [0.3, -0.2, 0.1][:d]
+    turning = ["0.5 - 2*y + t", "x - 0.4*t", "0.3*z"][:d]
+    return {
+        "contact.foundation_velocity": [
+            *vary(base, belt, steady, turning),
+            *vary(base, belt, turning, beside=exact),
+        ],
+        "contact.friction.heat_share": [
+            *vary(base, share, 0.0, same="the foundation takes all"),
+            *vary(base, share, 0.5),
+            *vary(base, share, 1.0, beside={belt: turning}),
+            *vary(base, share, 0.8, beside={belt: steady, **exact}),
+        ],
     }
 
 
@@ -281,6 +347,25 @@ def _exact_friction() -> list[Variation]:
     return [variation for beside in settings for variation in vary(CONTACT, epsilon, 0.0, beside=beside)]
 
 
+def _heat_of_friction() -> list[Variation]:
+    """What it depends on beside the laws: the rule, the degree, the scheme, the coupling."""
+    contact = "boundary.bottom.contact"
+    settings: list[Flat] = [
+        {"space.degree": 2, f"{contact}.compliance.exponent": 1.5},
+        {"mesh.cell": "tensor", f"{contact}.quadrature": "vertex"},
+        {"time.scheme": "midpoint", f"{contact}.foundation_velocity": ["0.4*cos(9*t)", 0.0]},
+        {"time.scheme": "generalized-alpha", "time.coupling": "iterated"},
+        {"time.coupling": "iterated", f"{contact}.friction.regularisation": 0.0},
+        {f"{contact}.conductance": ABSENT, "heat.conductivity": CONDUCTOR},
+        {"solver.strategy": "newton-krylov", f"{contact}.foundation_velocity": [0.4, 0.0]},
+    ]
+    return [
+        variation
+        for beside in settings
+        for variation in vary(CONTACT, f"{contact}.friction.heat_share", 0.9, beside=beside)
+    ]
+
+
 def _solver_and_output() -> dict[str, list[Variation]]:
     fields = ["displacement", "velocity", "temperature", "stress", "von_mises", "contact"]
     chosen = [["temperature"], [], fields, ["contact", "von_mises"], ["displacement", "velocity", "stress"]]
@@ -309,6 +394,8 @@ def _variations() -> dict[str, list[Variation]]:
             table.setdefault(f"boundary.NAME.{key}", []).extend(variations)
     table["boundary.NAME.contact.quadrature"] += _every_rule()
     table["boundary.NAME.contact.friction.regularisation"] += _exact_friction()
+    table["boundary.NAME.convection.coefficient"] += _held_by_convection()
+    table["boundary.NAME.contact.friction.heat_share"] += _heat_of_friction()
     return table
 
 

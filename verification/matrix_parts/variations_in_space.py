@@ -6,7 +6,7 @@ triangles and quadrilaterals. ALIKE are the keys that know nothing of it.
 
 from matrix_parts.cases import Variation, vary
 from matrix_parts.scenes import ABSENT, AXIS, BESIDE, OPPOSITE, SIDES, Flat, base_name
-from matrix_parts.variations import DEFAULT, ISOTROPIC, SOLVER_ONLY, contact_on
+from matrix_parts.variations import DEFAULT, ISOTROPIC, SOLVER_ONLY, contact_on, convection, rubbing
 
 ALIKE = {
     "title": "a name",
@@ -128,6 +128,7 @@ def _heat_and_loads() -> dict[str, list[Variation]]:
     jumping = ["0.01*x*y", "x > 0.4 ? -0.02 : 0.01*y", "0.01*z"]
     source, force = "heat.source", "load.body_force"
     stress, heating = "heat.thermal_stress", "heat.strain_heating"
+    rate = "heat.strain_rate_heating"
     return {
         "heat.capacity": [
             *vary(CONTACT, "heat.capacity", 0.4, ABSENT),
@@ -143,6 +144,8 @@ def _heat_and_loads() -> dict[str, list[Variation]]:
         + vary("box coupled", stress, COUPLING, beside=HEXAHEDRA),
         heating: vary(CONTACT, heating, -1.0, COUPLING, ABSENT)
         + vary("box coupled", heating, COUPLING, beside=HEXAHEDRA),
+        rate: vary(CONTACT, rate, -1.0, COUPLING, beside={heating: ABSENT})
+        + vary("box coupled", rate, COUPLING, beside={**HEXAHEDRA, "time.coupling": "iterated"}),
         force: vary(CONTACT, force, [1.0, 2.0, -0.5], vector, ABSENT)
         + vary("box mechanics", force, vector, beside=HEXAHEDRA),
         "initial.displacement": vary(CONTACT, "initial.displacement", [0.01, -0.01, 0.02], jumping, ABSENT),
@@ -181,6 +184,7 @@ def _conditions(side: str) -> dict[str, list[Variation]]:
             *vary(plain, heat_flux, "x - y*z + 5*t"),
             *(vary(plain, heat_flux, -1.0, ABSENT) if is_loaded else []),
         ],
+        **convection(side, plain, "x + 3*y*t - 2*z"),
     }
 
 
@@ -192,6 +196,7 @@ def _on_other_sides(side: str) -> dict[str, list[Variation]]:
         "contact.gap": vary(base, f"{contact}.gap", "0.01*sin(9*x - 7*y + 4*z - 8*t) - 0.005"),
         "contact.quadrature": vary(base, f"{contact}.quadrature", "vertex"),
         "contact.compliance.exponent": vary(base, f"{contact}.compliance.exponent", 1.5),
+        **rubbing(side, SHAPE),
         "contact.conductance.foundation_temperature": vary(base, foundation, "4*x - 2 + 3*t*y*z"),
         "contact.conductance.limit": vary(base, f"{contact}.conductance.limit", 0.5),
     }
@@ -228,6 +233,21 @@ def _exact_friction() -> list[Variation]:
     return [variation for beside in settings for variation in vary(CONTACT, epsilon, 0.0, beside=beside)]
 
 
+def _heat_of_friction() -> list[Variation]:
+    """On triangles and quadrilaterals of degree 2, by the other rules."""
+    contact = "boundary.bottom.contact"
+    settings: list[Flat] = [
+        {**SECOND_DEGREE, f"{contact}.foundation_velocity": ["-0.5*z", 0.0, "0.5*x"]},
+        {**HEXAHEDRA, **SECOND_DEGREE},
+        {**HEXAHEDRA, f"{contact}.quadrature": "vertex", f"{contact}.friction.regularisation": 0.0},
+    ]
+    return [
+        variation
+        for beside in settings
+        for variation in vary(CONTACT, f"{contact}.friction.heat_share", 0.9, beside=beside)
+    ]
+
+
 def _strategies() -> dict[str, list[Variation]]:
     """Multigrid's coarse spaces hold the six rigid motions."""
     key = "solver.strategy"
@@ -246,6 +266,7 @@ def _variations() -> dict[str, list[Variation]]:
             table.setdefault(f"boundary.NAME.{key}", []).extend(variations)
     table["boundary.NAME.contact.quadrature"] += _every_rule()
     table["boundary.NAME.contact.friction.regularisation"] += _exact_friction()
+    table["boundary.NAME.contact.friction.heat_share"] += _heat_of_friction()
     return table
 
 

@@ -33,6 +33,9 @@ SIGNS = (
         "Fourier's law",
     ),
     Mutation(
+        "convection", "forms/convection.py", "exchange = h", "exchange = -h", "sign", "a warm body is cooled"
+    ),
+    Mutation(
         "elasticity", "forms/elasticity.py", "stiffness = inner(", "stiffness = -inner(", "sign", "E eps(u)"
     ),
     Mutation("friction", "forms/friction.py", "sigma_t = -p_t", "sigma_t = p_t", "sign", "friction drives"),
@@ -58,8 +61,8 @@ SIGNS = (
     Mutation(
         "strain_heating",
         "forms/strain_heating.py",
-        "coupling = inner(",
-        "coupling = -inner(",
+        "coupling = inner(R,",
+        "coupling = -inner(R,",
         "sign",
         "R : eps",
     ),
@@ -175,10 +178,58 @@ OTHERS = (
     Mutation(
         "friction-tangential",
         "forms/friction.py",
-        "w_t = tangential(w)",
-        "w_t = w",
+        "w_t = tangential(w - v_F)",
+        "w_t = w - v_F",
         "missing",
         "only the tangential velocity rubs",
+    ),
+    Mutation(
+        "friction-foundation",
+        "forms/friction.py",
+        "w_t = tangential(w - v_F)",
+        "w_t = tangential(w + v_F)",
+        "sign",
+        "friction acts against the velocity over the foundation",
+    ),
+    Mutation(
+        "friction-heat-of-all",
+        "forms/friction.py",
+        "heat = over_contact(-heat_share *",
+        "heat = over_contact(-",
+        "missing",
+        "the foundation takes its share",
+    ),
+    Mutation(
+        "exact-friction-foundation",
+        "forms/coulomb.py",
+        "w_t = tangential(w - v_F)",
+        "w_t = tangential(w)",
+        "missing",
+        "what sticks moves with the foundation",
+    ),
+    Mutation(
+        "exact-friction-heat",
+        "forms/coulomb.py",
+        "heat = over_contact(heat_share * dot(minus_sigma_t, w_t) * q)",
+        "heat = over_contact(-heat_share * dot(minus_sigma_t, w_t) * q)",
+        "sign",
+        "friction warms",
+    ),
+    Mutation(
+        "kinematics-foundation",
+        "forms/kinematics.py",
+        "w_t = tangential(w - v_F)",
+        "w_t = tangential(w)",
+        "missing",
+        "slip is over the foundation",
+    ),
+    Mutation(
+        "strain-heating-rate",
+        "forms/strain_heating.py",
+        "rate_coupling = inner(R_rate,",
+        "rate_coupling = -inner(R_rate,",
+        "sign",
+        "R' : eps(w)",
     ),
     Mutation(
         "friction-exponent",

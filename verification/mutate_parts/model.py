@@ -4,6 +4,38 @@ from .mutation import Mutation
 
 MUTATIONS = (
     Mutation(
+        "friction-heat-multiplier",
+        "src/model/friction_heat.cpp",
+        "of.surface->multiplier->show(i);",
+        "of.surface->multiplier->show(0);",
+        "index",
+        "exact friction heats each facet by its own multiplier",
+    ),
+    Mutation(
+        "foundation-at-first",
+        "src/model/contact_surface.cpp",
+        "model::depends_on_time(laws.foundation_velocity)",
+        "false",
+        "lagged",
+        "a foundation's velocity may change in time",
+    ),
+    Mutation(
+        "convection-held",
+        "src/model/convection.cpp",
+        "|| boundary.convection->coefficient == 0",
+        "",
+        "missing",
+        "what exchanges nothing holds no temperature",
+    ),
+    Mutation(
+        "foundation-power-sign",
+        "src/model/facet_term.cpp",
+        "power -= tensor_[i]",
+        "power += tensor_[i]",
+        "sign",
+        "the residual is -sigma_t",
+    ),
+    Mutation(
         "deepest-gap",
         "src/model/contact_measures.cpp",
         "deepest = std::max(deepest, -gap);",

@@ -5,6 +5,7 @@ from typing import Any
 
 import ufl
 from dolfinx import fem
+from petsc4py import PETSc
 
 from oracle_parts.domain import Loads, Nodal, Prescribed
 from oracle_parts.exact_friction import FrictionTerm, solve_with_multipliers
@@ -41,7 +42,7 @@ class Momentum:
         assert material is not None and problem.u is not None and problem.w is not None
         self.u, self.w = Evolution(problem.u), Evolution(problem.w)
         self.stage_u: Any = problem.stage_u
-        self.stage_w = fem.Function(problem.V)
+        self.stage_w: Any = problem.stage_w
         self.base_u, self.base_w = fem.Function(problem.V), fem.Function(problem.V)
         self.w_vector = petsc_vector(problem.w)
         self.base_w_vector = petsc_vector(self.base_w)
@@ -205,6 +206,15 @@ class HeatBalance:
             self.strain_heating = assembled_matrix(coupling)
             self.coupling_u = fem.Function(problem.V)
             self.coupling_vector = petsc_vector(self.coupling_u)
+        self.rate_heating: Any = None
+        if heat.strain_rate_heating is not None:
+            w_trial = ufl.TrialFunction(problem.V)
+            coupling = problem.sum(
+                lambda law, part: ufl.inner(law(part.heat.strain_rate_heating), strain(w_trial)) * eta
+            )
+            self.rate_heating = assembled_matrix(coupling)
+            self.coupling_w = fem.Function(problem.V)
+            self.rate_vector = petsc_vector(self.coupling_w)
 
         # Sources q0, fluxes q_in and prescribed temperatures
         self.loads = Loads(fem.form(problem.constant(0.0) * eta * dx))
@@ -218,6 +228,11 @@ class HeatBalance:
             if boundary.heat_flux:
                 q_in = Nodal(problem.Q, scene, [boundary.heat_flux], side)
                 self.loads.add(q_in, fem.form(q_in.function * eta * side.ds()))
+            if boundary.convection:
+                h = problem.constant(boundary.convection.coefficient)
+                linear += h * trial * eta * side.ds()
+                theta_a = Nodal(problem.Q, scene, [boundary.convection.ambient_temperature], side)
+                self.loads.add(theta_a, fem.form(h * theta_a.function * eta * side.ds()))
             if boundary.temperature:
                 self.prescribed.add(side, 0, boundary.temperature)
 
@@ -225,6 +240,13 @@ class HeatBalance:
         terms: list[Term] = [
             term for side in problem.contacts if (term := side.heat_term(problem.stage_u, self.stage_theta))
         ]
+        self.rubbing = [
+            heat_of_side
+            for side in problem.contacts
+            if (heat_of_side := side.friction_heat(problem.stage_u, problem.stage_w))
+        ]
+        self.rubbed = fem.Function(problem.Q)
+        self.rubbed_vector = petsc_vector(self.rubbed)
         laws = [contact.conductance for contact in scene.contacts.values()]
         self.equations = Equations(
             tau,
@@ -250,13 +272,25 @@ class HeatBalance:
             self.stage_theta, step.end, lambda value, dofs: self.theta.at_stage(step, value, dofs)
         )
 
-    def solve(self, step: Step, u: Any) -> int:
+    def solve(self, step: Step, u: Any, w: Any) -> int:
+        """`u` and `w` of the coupling; the heat of friction takes what the momentum balance has just found."""
         b = self.loads.at(step.stage)
         if self.capacity:
             b.axpy(1.0 / step.tau, self.capacity * self.base_vector)
         if self.strain_heating:
             self.coupling_u.x.array[:] = u
             b.axpy(1.0, self.strain_heating * self.coupling_vector)
+        if self.rate_heating:
+            self.coupling_w.x.array[:] = w
+            b.axpy(1.0, self.rate_heating * self.rate_vector)
+        if self.rubbing:
+            vector = self.rubbed_vector
+            with vector.localForm() as local:
+                local.set(0.0)
+            for heat_of_side in self.rubbing:
+                heat_of_side.add_to(vector)
+            vector.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
+            b.axpy(1.0, vector)
         return self.equations.of(step).solve(b)
 
     def move(self, step: Step) -> None:

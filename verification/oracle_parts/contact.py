@@ -1,5 +1,6 @@
 """One contact side: its terms in the two balances, its resultants, and its laws at the nodes for output."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -72,6 +73,9 @@ class ContactSide:
         self.ds = side.ds(quadrature_metadata(contact.quadrature, scene.degree, self.facet))
         self.normal = ufl.FacetNormal(mesh)
         self.gap = Nodal(scalar_space, scene, [contact.gap], side)
+        self.belt: Nodal | None = None  # the foundation's velocity
+        if contact.foundation_velocity:
+            self.belt = Nodal(displacement_space, scene, contact.foundation_velocity, side)
         if contact.compliance:
             self.stiffness = _constant(mesh, contact.compliance.stiffness)
             self.exponent = _constant(mesh, contact.compliance.exponent)
@@ -93,6 +97,8 @@ class ContactSide:
 
     def update(self, time: float) -> None:
         self.gap.update(time)
+        if self.belt:
+            self.belt.update(time)
         if self.contact.conductance:
             self.foundation.update(time)
 
@@ -106,14 +112,18 @@ class ContactSide:
     def tangential(self, w: Any) -> Any:
         return w - ufl.dot(w, self.normal) * self.normal
 
+    def slip(self, w: Any) -> Any:
+        """The tangential velocity over the foundation."""
+        return self.tangential(w) - self.tangential(self.belt.function) if self.belt else self.tangential(w)
+
     def pressure(self, r: Any) -> Any:
         return laws.pressure(laws.UFL, r, self.stiffness, self.exponent)
 
     def friction_stress(self, r: Any, w: Any) -> Any:
-        """-sigma_t = p_t w_t / |w_t|_epsilon."""
-        w_t = self.tangential(w)
-        norm = laws.regularised_norm(laws.UFL, ufl.dot(w_t, w_t), self.epsilon)
-        return self.friction * self.pressure(r) * w_t / norm
+        """-sigma_t = p_t s / |s|_epsilon of the slip velocity s."""
+        slip = self.slip(w)
+        norm = laws.regularised_norm(laws.UFL, ufl.dot(slip, slip), self.epsilon)
+        return self.friction * self.pressure(r) * slip / norm
 
     def heat_flow(self, r: Any, theta: Any) -> Any:
         """q.n = k_c(r) phi_L(theta - theta_F)."""
@@ -140,6 +150,17 @@ class ContactSide:
         eta = ufl.TestFunction(theta.function_space)
         return _term(self.heat_flow(self.penetration(u), theta) * eta * self.ds, theta)
 
+    def friction_heat(self, u: Any, w: Any) -> "FrictionHeat | ExactFrictionHeat | None":
+        """The heat that the body gets of what friction dissipates."""
+        law = self.contact.friction
+        if law is None or law.heat_share == 0.0:
+            return None
+        if self.exact:
+            return ExactFrictionHeat(self.exact, law.heat_share, u, w)
+        eta = ufl.TestFunction(self.scalar_space)
+        power = ufl.dot(self.friction_stress(self.penetration(u), w), self.slip(w))
+        return FrictionHeat(fem.form(_constant(self.mesh, law.heat_share) * power * eta * self.ds))
+
     # Resultants over the side
 
     def prepare_measures(self, u: Any | None, w: Any | None, theta: Any | None) -> None:
@@ -153,7 +174,7 @@ class ContactSide:
             normal = self.pressure(r)
         if self.contact.friction and not self.exact:
             friction = [self.friction_stress(r, w)[axis] for axis in range(d)]
-            speed = ufl.sqrt(ufl.dot(self.tangential(w), self.tangential(w)))
+            speed = ufl.sqrt(ufl.dot(self.slip(w), self.slip(w)))
             slip = closed * ufl.conditional(speed > self.epsilon, 1.0, 0.0)
         if self.contact.conductance:
             heat = self.heat_flow(r, theta)
@@ -215,6 +236,8 @@ class ContactSide:
         result: dict[str, Array] = {"gap": -r, "state": np.where(r < 0.0, OPEN, SLIP)}
         if w is not None:
             velocity = self._at_nodes(w)
+            if self.belt:
+                velocity = velocity - self._at_nodes(self.belt.function)
             normal_velocity = np.sum(velocity * self.normals, axis=2)
             slip = velocity - normal_velocity[:, :, None] * self.normals
             result["slip_velocity"] = slip
@@ -236,6 +259,25 @@ class ContactSide:
             k_c = laws.conductance(m, r, law.coefficient, law.onset)
             result["heat_flow"] = k_c * laws.clamped(m, above, law.limit)
         return result
+
+
+@dataclass(frozen=True)
+class FrictionHeat:
+    form: Any
+
+    def add_to(self, vector: Any) -> None:
+        fem_petsc.assemble_vector(vector, self.form)
+
+
+@dataclass(frozen=True)
+class ExactFrictionHeat:
+    friction: ExactFriction
+    share: float
+    u: Any
+    w: Any
+
+    def add_to(self, vector: Any) -> None:
+        self.friction.add_heat(vector, self.share, self.u.x.array, self.w.x.array)
 
 
 def _constant(mesh: Any, value: float) -> Any:

@@ -98,14 +98,18 @@ class ExactFriction:
     # At the points
 
     def _state(self, u: Array, w: Array) -> tuple[Array, Array, Array]:
-        """Penetration, bound of friction p_t, and slip velocity from nodal values [nodes * d]."""
+        """Penetration, bound of friction p_t, and slip velocity over the foundation from nodal values [nodes * d]."""
         values = [
             np.einsum("fqi,fic->fqc", self.basis, field.reshape(-1, self.dimension)[self.nodes])
             for field in (u, w)
         ]
         gap = np.einsum("fqi,fi->fq", self.basis, self.side.gap.function.x.array[self.gap_nodes])
         r = np.sum(values[0] * self.normals, axis=2) - gap
-        return r, self.bound(r), self._tangential(values[1])
+        velocity = values[1]
+        if self.side.belt is not None:
+            of_belt = self.side.belt.function.x.array.reshape(-1, self.dimension)[self.nodes]
+            velocity = velocity - np.einsum("fqi,fic->fqc", self.basis, of_belt)
+        return r, self.bound(r), self._tangential(velocity)
 
     def bound(self, r: Array) -> Array:
         contact = self.side.contact
@@ -123,6 +127,14 @@ class ExactFriction:
         change, size = float(np.sum((new - self.multiplier) ** 2)), float(np.sum(new**2))
         self.multiplier = new
         return change, size
+
+    def add_heat(self, vector: Any, share: float, u: Array, w: Array) -> None:
+        """That share of -sigma_t . slip, tested with the functions of the temperature."""
+        _, bound, slip = self._state(u, w)
+        stress = projected(self.multiplier + self.gamma * slip, bound)
+        power = share * self.area * np.sum(stress * slip, axis=2)
+        with vector.localForm() as local:
+            np.add.at(local.array, self.gap_nodes, np.einsum("fq,fqi->fi", power, self.basis))
 
     # As a term of the equation
 

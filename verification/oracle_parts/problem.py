@@ -64,11 +64,11 @@ class Problem:
         self.Q = lagrange_space(self.mesh, scene.degree)
         self.V = lagrange_space(self.mesh, scene.degree, scene.dimension) if scene.material else None
         self.u = self.w = self.theta = None
-        self.stage_u = None
+        self.stage_u = self.stage_w = None
         if scene.material:
             self.u = Nodal(self.V, scene, scene.initial_displacement).function
             self.w = Nodal(self.V, scene, scene.initial_velocity).function
-            self.stage_u = fem.Function(self.V)
+            self.stage_u, self.stage_w = fem.Function(self.V), fem.Function(self.V)
         if scene.heat:
             self.theta = Nodal(self.Q, scene, [scene.initial_temperature]).function
         self.sides = {name: Side(self.body, name) for name in scene.boundaries}

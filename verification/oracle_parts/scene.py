@@ -57,6 +57,7 @@ class Heat:
     thermal_stress: Matrix | None
     thermal_stress_zz: float
     strain_heating: Matrix | None
+    strain_rate_heating: Matrix | None
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,7 @@ class Compliance:
 class Friction:
     coefficient: float
     regularisation: float
+    heat_share: float
 
 
 @dataclass(frozen=True)
@@ -80,9 +82,16 @@ class Conductance:
 
 
 @dataclass(frozen=True)
+class Convection:
+    coefficient: float
+    ambient_temperature: Expression
+
+
+@dataclass(frozen=True)
 class Contact:
     gap: Expression
     quadrature: int | str
+    foundation_velocity: list[Expression] | None
     compliance: Compliance | None
     friction: Friction | None
     conductance: Conductance | None
@@ -96,6 +105,7 @@ class Boundary:
     traction: list[Expression] | None
     temperature: Expression | None
     heat_flux: Expression | None
+    convection: Convection | None
     contact: Contact | None
 
 
@@ -395,8 +405,9 @@ def _heat(table: Table | None, material: Material | None, dimension: int) -> Hea
     heat = _heat_laws(table, material, dimension)
     if heat.capacity is None and heat.conductivity is None:
         raise SceneError("heat needs capacity, conductivity or both")
-    if material is None and (heat.thermal_stress is not None or heat.strain_heating is not None):
-        raise SceneError("heat.thermal_stress and heat.strain_heating need [material]")
+    couplings = (heat.thermal_stress, heat.strain_heating, heat.strain_rate_heating)
+    if material is None and any(coupling is not None for coupling in couplings):
+        raise SceneError("heat.thermal_stress, strain_heating and strain_rate_heating need [material]")
     return heat
 
 
@@ -413,6 +424,7 @@ def _heat_laws(table: Table, material: Material | None, dimension: int) -> Heat:
         thermal_stress=thermal_stress,
         thermal_stress_zz=float(thermal_stress[0, 0]) if thermal_stress is not None and out_of_plane else 0.0,
         strain_heating=table.optional("strain_heating", conductor),
+        strain_rate_heating=table.optional("strain_rate_heating", conductor),
     )
     table.close()
     return heat
@@ -432,16 +444,19 @@ def _boundary(
         traction=table.optional("traction", list_of(expression, dimension)),
         temperature=table.optional("temperature", expression),
         heat_flux=table.optional("heat_flux", expression),
-        contact=_contact(table.table("contact")),
+        convection=_convection(table.table("convection")),
+        contact=_contact(table.table("contact"), dimension),
     )
     table.close()
     contact = boundary.contact
     mechanical = boundary.displacement or boundary.traction or (contact and contact.compliance)
-    thermal = boundary.temperature or boundary.heat_flux or (contact and contact.conductance)
+    rubs_warm = contact and contact.friction and contact.friction.heat_share > 0.0
+    conducts = contact and contact.conductance
+    thermal = boundary.temperature or boundary.heat_flux or boundary.convection or conducts or rubs_warm
     if (mechanical and material is None) or (thermal and heat is None):
         raise SceneError(f"boundary.{name} has a condition on a field that the scene does not model")
-    if boundary.temperature and (boundary.heat_flux or (contact and contact.conductance)):
-        raise SceneError(f"boundary.{name}: temperature excludes heat_flux and conductance")
+    if boundary.temperature and (boundary.heat_flux or boundary.convection or conducts):
+        raise SceneError(f"boundary.{name}: temperature excludes heat_flux, convection and conductance")
     return boundary
 
 
@@ -455,7 +470,21 @@ def _compliance(table: Table) -> Compliance:
 
 
 def _friction(table: Table) -> Friction:
-    return Friction(table.take("coefficient", number), table.take("regularisation", not_negative))
+    return Friction(
+        table.take("coefficient", number),
+        table.take("regularisation", not_negative),
+        table.take("heat_share", not_negative) if "heat_share" in table else 0.0,
+    )
+
+
+def _convection(table: Table | None) -> Convection | None:
+    if table is None:
+        return None
+    convection = Convection(
+        table.take("coefficient", not_negative), table.take("ambient_temperature", expression)
+    )
+    table.close()
+    return convection
 
 
 def _conductance(table: Table) -> Conductance:
@@ -467,7 +496,7 @@ def _conductance(table: Table) -> Conductance:
     )
 
 
-def _contact(table: Table | None) -> Contact | None:
+def _contact(table: Table | None, dimension: int) -> Contact | None:
     if table is None:
         return None
     compliance, friction = table.table("compliance"), table.table("friction")
@@ -476,6 +505,7 @@ def _contact(table: Table | None) -> Contact | None:
         raise SceneError(f"{table.path}.friction needs compliance")
     contact = Contact(
         gap=table.take("gap", expression, 0.0),
+        foundation_velocity=table.optional("foundation_velocity", list_of(expression, dimension)),
         quadrature=table.take("quadrature", lambda raw: raw if raw == "vertex" else count(raw), 4),
         compliance=_compliance(compliance) if compliance else None,
         friction=_friction(friction) if friction else None,

@@ -25,12 +25,16 @@ def physics(scene: Scene) -> list[str]:
         "traction": any(side.traction for side in sides),
         "compliance": any(contact.compliance for contact in contacts),
         "friction": any(contact.friction for contact in contacts),
+        "moving_foundation": any(contact.foundation_velocity for contact in contacts),
         "heat_capacity": heat and heat.capacity is not None,
         "conduction": heat and heat.conductivity is not None,
         "strain_heating": heat and heat.strain_heating is not None,
+        "strain_rate_heating": heat and heat.strain_rate_heating is not None,
         "heat_source": heat and heat.source,
         "heat_flux": any(side.heat_flux for side in sides),
+        "convection": any(side.convection for side in sides),
         "conductance": any(contact.conductance for contact in contacts),
+        "friction_heat": any(contact.friction and contact.friction.heat_share > 0.0 for contact in contacts),
     }
     return [name for name, here in present.items() if here]
 

@@ -14,7 +14,7 @@ import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
-from known_answers_parts import blocks, exact, hertz, rods, table
+from known_answers_parts import blocks, exact, foundations, hertz, rods, table, warmth
 from known_answers_parts.driver import SCENES, Driver
 
 BENCHMARKS: dict[str, Callable[[Driver], list[table.Row]]] = {
@@ -26,6 +26,12 @@ BENCHMARKS: dict[str, Callable[[Driver], list[table.Row]]] = {
     "slope-slide": blocks.slope_slide,
     "sliding-block": blocks.sliding_block,
     "hertz": hertz.hertz,
+    "belt-block": foundations.belt_block,
+    "disc-torque": foundations.disc_torque,
+    "friction-heat": foundations.friction_heat,
+    "convection-slab": warmth.convection_slab,
+    "cooling-slab": warmth.cooling_slab,
+    "stretched-bar": warmth.stretched_bar,
 }
 
 

@@ -45,6 +45,7 @@ def symmetric(diagonal: float, growth: float, beside: float) -> Callable[[int], 
 
 
 STRAIN_HEATING = symmetric(0.5, -0.2, 0.25)
+RATE_HEATING = symmetric(-0.6, 0.4, 0.2)
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ class Heat:
     conductivity: Callable[[int], list[list[float]]] = symmetric(1.0, 0.4, 0.3)
     thermal_stress: Callable[[int], list[list[float]]] = symmetric(0.8, 0.3, 0.2)
     strain_heating: Callable[[int], list[list[float]]] = STRAIN_HEATING
+    rate_heating: Callable[[int], list[list[float]]] | None = None  # of the strain rate
 
 
 @dataclass(frozen=True)
@@ -67,6 +69,14 @@ class Contact:
     onset: float  # m
     gap: Callable[[Expression], Expression] | None = None
     penetration: Callable[[Expression], Expression] | None = None
+    velocity: Callable[[Expression, Expression], list[Expression]] | None = None  # of the foundation, m/s
+    heat_share: float = 0.0
+    convection: float = 0.0  # beside the conductance, to air as warm as the foundation, W/(m2 K)
+
+
+def turntable(x: Expression, t: Expression) -> list[Expression]:
+    """A foundation that turns, faster and faster, and moves along; its normal part counts for nothing."""
+    return [-0.4 * (1 + t) + 0.1 * x[1], 0.3 * x[0], 0.2 * x[0]][: len(x)]
 
 
 def foundation_temperature(x: Expression, t: Expression) -> Expression:
@@ -103,6 +113,25 @@ CASES = {
         Material(),
         Heat(),
         Contact(20.0, 1.5, 0.3, 0.1, 3.0, 0.1, gap=lambda t: -1.0 - 0.1 * t),
+    ),
+    "rated": Case("mechanics and heat of strain rates", Material(), Heat(rate_heating=RATE_HEATING)),
+    # as slipping; |w_t - v_Ft| is above 0.8 m/s
+    "rubbing": Case(
+        "contact on a foundation that moves, heat of friction, convection",
+        Material(),
+        Heat(rate_heating=RATE_HEATING),
+        Contact(
+            20.0,
+            1.5,
+            0.3,
+            0.1,
+            3.0,
+            0.1,
+            gap=lambda t: -1.0 - 0.1 * t,
+            velocity=turntable,
+            heat_share=0.6,
+            convection=1.5,
+        ),
     ),
     # opens everywhere at once, at t = 0.545 s; both laws are Lipschitz there, and r is uniform, so that no kink lies
     # inside a facet: theory keeps its orders

@@ -5,7 +5,15 @@ from typing import Any
 import ufl
 
 from manufactured_parts import strong_form as strong
-from manufactured_parts.cases import CASES, Case, displacement, foundation_temperature, gap, temperature
+from manufactured_parts.cases import (
+    CASES,
+    Case,
+    Contact,
+    displacement,
+    foundation_temperature,
+    gap,
+    temperature,
+)
 
 Forms = dict[str, Any]
 
@@ -32,18 +40,24 @@ class Exact:
             case,
             ufl.FacetNormal(mesh),
         )
-        self.dim = len(x)
+        self.x, self.dim = x, len(x)
         self.u = displacement(study, x, self.t, degree) if case.material else None
         self.w = strong.rate(self.u, self.t) if case.material else None
         self.theta = temperature(study, case, x, self.t, degree) if case.heat else None
         self.foundation = foundation_temperature(x, self.t)
 
+    def penetration(self, contact: Contact) -> Any:
+        return strong.penetration(self.u, gap(contact, self.u, self.t), self.n)
+
+    def slip(self, contact: Contact) -> Any:
+        v = contact.velocity(self.x, self.t) if contact.velocity else None
+        return strong.slip_over(None if v is None else ufl.as_vector(v), self.w, self.n)
+
     def mechanical(self) -> dict[str, Any]:
         """Body force and what acts on a side; with contact, what acts on its side beside the laws."""
         traction = ufl.dot(strong.stress(self.case, self.u, self.w, self.theta), self.n)
         if contact := self.case.contact:
-            g = gap(contact, self.u, self.t)
-            exerted = strong.contact_traction(contact, self.u, self.w, g, self.n)
+            exerted = strong.contact_traction(contact, self.penetration(contact), self.slip(contact), self.n)
             return {"contact_traction": traction - exerted}
         return {
             "body_force": strong.body_force(self.case, self.u, self.t, self.theta),
@@ -54,8 +68,12 @@ class Exact:
         """The same for the heat: source and flux into the body on a side; with contact, the flux beside its law."""
         inflow = -ufl.dot(strong.heat_flux_vector(self.case, self.theta, self.dim), self.n)
         if contact := self.case.contact:
-            r = strong.penetration(self.u, gap(contact, self.u, self.t), self.n)
+            r = self.penetration(contact)
             outflow = strong.contact_outflow(contact, self.theta, self.foundation, r)
+            if contact.convection:
+                outflow += contact.convection * (self.theta - self.foundation)
+            if contact.heat_share:
+                outflow -= strong.friction_heat(contact, r, self.slip(contact))
             return {"contact_heat_flux": inflow + outflow}
         return {
             "heat_source": strong.heat_source(self.case, self.theta, self.t, self.u, self.dim),

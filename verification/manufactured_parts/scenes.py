@@ -5,6 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import ufl
+
 from manufactured_parts import cases
 from manufactured_parts.cases import CASES, Case, Contact
 from manufactured_parts.expression import Printer
@@ -50,6 +52,8 @@ DIAGONALS = {
     "coupled": "crossed",
     "slipping": "left",
     "opening": "right",
+    "rated": "left",
+    "rubbing": "crossed",
 }
 
 # In every dimension: on top everything is prescribed; the left side is a roller with a prescribed temperature, and so,
@@ -133,12 +137,15 @@ def heat(study: str, case: Case, printer: Printer, degree: int) -> Keys:
     if case.coupled:
         keys["heat.thermal_stress"] = h.thermal_stress(d)
         keys["heat.strain_heating"] = h.strain_heating(d)
+    if case.coupled and h.rate_heating:
+        keys["heat.strain_rate_heating"] = h.rate_heating(d)
     return keys
 
 
 def contact(study: str, laws: Contact, printer: Printer, degree: int) -> Keys:
     u = cases.displacement(study, printer.x, printer.t, degree)
     at = f"boundary.{CONTACT}.contact"
+    air = printer.text(cases.foundation_temperature(printer.x, printer.t))
     return {
         f"{at}.gap": printer.text(cases.gap(laws, u, printer.t)),
         f"{at}.quadrature": 9,  # the highest: the laws are no polynomials
@@ -148,7 +155,22 @@ def contact(study: str, laws: Contact, printer: Printer, degree: int) -> Keys:
         f"{at}.friction.regularisation": laws.regularisation,
         f"{at}.conductance.coefficient": laws.conductance,
         f"{at}.conductance.onset": laws.onset,
-        f"{at}.conductance.foundation_temperature": printer.text(
-            cases.foundation_temperature(printer.x, printer.t)
-        ),
+        f"{at}.conductance.foundation_temperature": air,
+        **rubbing(laws, printer, air),
     }
+
+
+def rubbing(laws: Contact, printer: Printer, air: str) -> Keys:
+    """What only some cases have."""
+    keys: Keys = {}
+    at = f"boundary.{CONTACT}"
+    if laws.velocity:
+        keys[f"{at}.contact.foundation_velocity"] = printer.components(
+            ufl.as_vector(laws.velocity(printer.x, printer.t))
+        )
+    if laws.heat_share:
+        keys[f"{at}.contact.friction.heat_share"] = laws.heat_share
+    if laws.convection:
+        keys[f"{at}.convection.coefficient"] = laws.convection
+        keys[f"{at}.convection.ambient_temperature"] = air
+    return keys

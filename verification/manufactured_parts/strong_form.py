@@ -50,27 +50,47 @@ def body_force(case: Case, u: Expression, t: Expression, theta: Expression | Non
 
 
 def heat_source(case: Case, theta: Expression, t: Expression, u: Expression | None, d: int) -> Expression:
-    """(2.4): q0 = c theta' + div(q) - R : eps(u)."""
+    """(2.4): q0 = c theta' + div(q) - R : eps(u), and less R' : eps(w)."""
     assert case.heat is not None
     source = case.heat.capacity * rate(theta, t) + ufl.div(heat_flux_vector(case, theta, d))
     if u is None:
         return source
-    return source - ufl.inner(ufl.as_matrix(case.heat.strain_heating(d)), strain(u))
+    source -= ufl.inner(ufl.as_matrix(case.heat.strain_heating(d)), strain(u))
+    if case.heat.rate_heating is None:
+        return source
+    return source - ufl.inner(ufl.as_matrix(case.heat.rate_heating(d)), strain(rate(u, t)))
 
 
 def penetration(u: Expression, g: Expression, n: Expression) -> Expression:
     return ufl.dot(u, n) - g
 
 
-def contact_traction(
-    contact: Contact, u: Expression, w: Expression, g: Expression, n: Expression
-) -> Expression:
-    """(2.8) and (2.9), the norm of the slip regularised: the traction that the foundation exerts."""
-    r = penetration(u, g, n)
-    pressure = contact.stiffness * ufl.conditional(ufl.gt(r, 0), r, 0.0) ** contact.exponent
-    slip = w - ufl.dot(w, n) * n
+def pressure_on(contact: Contact, r: Expression) -> Expression:
+    """(2.8)."""
+    return contact.stiffness * ufl.conditional(ufl.gt(r, 0), r, 0.0) ** contact.exponent
+
+
+def slip_over(v: Expression | None, w: Expression, n: Expression) -> Expression:
+    """The tangential velocity over a foundation that moves with `v`, or rests."""
+    over = w if v is None else w - v
+    return over - ufl.dot(over, n) * n
+
+
+def drag(contact: Contact, pressure: Expression, slip: Expression) -> Expression:
+    """(2.9), the norm of the slip regularised: what friction exerts on the body."""
     speed = ufl.sqrt(ufl.dot(slip, slip) + contact.regularisation**2)
-    return -pressure * n - contact.friction * pressure * slip / speed
+    return -contact.friction * pressure * slip / speed
+
+
+def contact_traction(contact: Contact, r: Expression, slip: Expression, n: Expression) -> Expression:
+    """The traction that the foundation exerts."""
+    pressure = pressure_on(contact, r)
+    return -pressure * n + drag(contact, pressure, slip)
+
+
+def friction_heat(contact: Contact, r: Expression, slip: Expression) -> Expression:
+    """The body's share of what friction dissipates."""
+    return -contact.heat_share * ufl.dot(drag(contact, pressure_on(contact, r), slip), slip)
 
 
 def contact_outflow(contact: Contact, theta: Expression, foundation: Expression, r: Expression) -> Expression:

@@ -91,7 +91,10 @@ class CasesTest(unittest.TestCase):
             self.assertNotIn("t", printer.text(theta).replace("sin", ""))
 
     def test_closed_and_slipping(self) -> None:
-        contact = cases.CASES["slipping"].contact
+        for name in ("slipping", "rubbing"):
+            self.check_closed_and_slipping(cases.CASES[name].contact)
+
+    def check_closed_and_slipping(self, contact: cases.Contact | None) -> None:
         assert contact is not None
         grid = [i / 10 for i in range(11)]
         for cell, d in (("triangle", 2), ("tetrahedron", 3)):
@@ -99,7 +102,8 @@ class CasesTest(unittest.TestCase):
             for study, degree in product(cases.STUDIES, (1, 2)):
                 u = cases.displacement(study, printer.x, printer.t, degree)
                 r = printer.text(-u[1] - cases.gap(contact, u, printer.t))
-                slip = printer.text(printer.rate(u)[0])
+                belt = contact.velocity(printer.x, printer.t)[0] if contact.velocity else 0.0
+                slip = printer.text(printer.rate(u)[0] - belt)
                 for x, t, z in product(grid, grid, grid if d == 3 else [0.0]):
                     self.assertGreater(value(r, x, 0.0, t, z), contact.onset)
                     self.assertGreater(abs(value(slip, x, 0.0, t, z)), 3 * contact.regularisation)
@@ -117,7 +121,10 @@ class CasesTest(unittest.TestCase):
 
     def test_every_case_has_a_body(self) -> None:
         bodies = {name: case.body for name, case in cases.CASES.items()}
-        self.assertEqual(bodies, {**{n: n for n in bodies}, "slipping": "coupled", "opening": "coupled"})
+        self.assertEqual(
+            bodies,
+            {**{n: n for n in bodies}, "slipping": "coupled", "opening": "coupled", "rubbing": "rated"},
+        )
 
     def test_opens(self) -> None:
         contact = cases.CASES["opening"].contact
@@ -156,7 +163,7 @@ class CompiledTest(unittest.TestCase):
         self.assertEqual(found[0], found[1])
         self.assertIn("opening_contact_traction", found[0])
         self.assertNotIn("coupled_contact_traction", found[0])
-        self.assertEqual(sum(name.endswith("error_strain") for name in found[0]), 2)
+        self.assertEqual(sum(name.endswith("error_strain") for name in found[0]), 3)
 
     def forms(self, cell: Any, d: int) -> list[str]:
         try:

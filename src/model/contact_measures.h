@@ -28,8 +28,8 @@ struct ContactMeasures {
     double contact_fraction = 0;  ///< share of the area with r >= 0
     double slip_fraction = 0;  ///< share of the area that is closed and slips, |w_t - v_Ft| > epsilon (or as
                                ///< in forms/coulomb.py)
-    double heat_flow = 0;  ///< integral of q.n, W (W/m in 2D)
-    double area = 0;       ///< m^2 (m in 2D)
+    double heat_flow = 0;      ///< integral of q.n, W (W/m in 2D)
+    double area = 0;           ///< m^2 (m in 2D)
 };
 
 /// Pointwise fields at the nodes of the facets: [facet][node of facet][components].

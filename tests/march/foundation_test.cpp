@@ -1,4 +1,5 @@
-// Foundations that move: friction acts against the velocity over them; what they do is work, what is lost heat.
+// Foundations that move: friction acts against the velocity over them; what they do is work, what is lost
+// heat.
 
 #include <gtest/gtest.h>
 
@@ -71,9 +72,9 @@ TEST_P(Belt, BalancesCloseAndFrictionTakes) {
     EXPECT_LE(simulation.totals().heat_residual, 1e-9);
 }
 
-/// What the heat balance receives is the share of what the momentum balance loses: both are the same integral,
-/// summed over other functions, and the displacement in it is rounded otherwise (1e-16 of it over penetrations
-/// some 1e-4 of it).
+/// What the heat balance receives is the share of what the momentum balance loses: both are the same
+/// integral, summed over other functions, and the displacement in it is rounded otherwise (1e-16 of it over
+/// penetrations some 1e-4 of it).
 TEST_P(Belt, HeatIsTheShareOfTheDissipation) {
     const scene::Scene scene = on_a_belt(GetParam().overrides);
     Simulation simulation(scene);
@@ -106,8 +107,8 @@ TEST_P(Belt, IsInvariantUnderAChangeOfTheFrame) {
                                  (i % 2 == 0 ? 0.7 : 0.2));
         }
         EXPECT_LE(largest(difference), 1e-10) << "step " << here.state().step;
-        for (const char* name : {"friction_dissipation", "strain_energy", "contact_force_x", "contact_force_y",
-                                 "friction_heat_inflow"}) {
+        for (const char* name : {"friction_dissipation", "strain_energy", "contact_force_x",
+                                 "contact_force_y", "friction_heat_inflow"}) {
             EXPECT_NEAR(value(there.record(), name), value(here.record(), name), 1e-10) << name;
         }
     }

@@ -504,14 +504,10 @@ TEST(Simulation, HeatTermsBalance) {
                         "heat.strain_rate_heating=0.5", "boundary.left.convection.coefficient=2.5",
                         "boundary.left.convection.ambient_temperature=4.0"});
     Simulation simulation(scene);
-    const std::map<std::string, double> signs{{"heat_storage_rate", 1},
-                                              {"contact_heat_outflow", 1},
-                                              {"prescribed_temperature_inflow", -1},
-                                              {"load_heat_inflow", -1},
-                                              {"strain_heat_inflow", -1},
-                                              {"strain_rate_heat_inflow", -1},
-                                              {"friction_heat_inflow", -1},
-                                              {"convection_heat_outflow", 1}};
+    const std::map<std::string, double> signs{
+        {"heat_storage_rate", 1},     {"contact_heat_outflow", 1},   {"prescribed_temperature_inflow", -1},
+        {"load_heat_inflow", -1},     {"strain_heat_inflow", -1},    {"strain_rate_heat_inflow", -1},
+        {"friction_heat_inflow", -1}, {"convection_heat_outflow", 1}};
     std::map<std::string, double> largest;
     while (!simulation.finished()) {
         simulation.advance();

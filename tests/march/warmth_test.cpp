@@ -86,7 +86,8 @@ ambient_temperature = "t"
     }
     const double after = 0.5 * (sum - 0.5);
     EXPECT_LT(value(simulation.record(), "convection_heat_outflow"), 0.0);
-    EXPECT_GT(value(simulation.record(), "convection_heat_outflow"), after) << "the air of the end of the step";
+    EXPECT_GT(value(simulation.record(), "convection_heat_outflow"), after)
+        << "the air of the end of the step";
     EXPECT_LE(simulation.totals().heat_residual, 1e-12);
 }
 
@@ -100,8 +101,7 @@ struct Stretch {
 class StretchedBar : public testing::TestWithParam<Stretch> {};
 
 TEST_P(StretchedBar, CoolsByItsStrain) {
-    const scene::Scene scene =
-        support::repository_scene("benchmarks/stretched-bar", GetParam().overrides);
+    const scene::Scene scene = support::repository_scene("benchmarks/stretched-bar", GetParam().overrides);
     Simulation simulation(scene);
     while (!simulation.finished()) {
         simulation.advance();

@@ -93,6 +93,12 @@ class Convection:
 
 
 @dataclass(frozen=True)
+class Convection:
+    coefficient: float
+    ambient_temperature: Expression
+
+
+@dataclass(frozen=True)
 class Contact:
     gap: Expression
     quadrature: int | str

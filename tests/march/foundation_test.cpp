@@ -91,9 +91,6 @@ TEST_P(Belt, HeatIsTheShareOfTheDissipation) {
 /// In a frame that moves with V everything that forces depend on is the same: boundary values, gap and belt
 /// move with it. Displacements of 1 m beside penetrations of 1e-4 m leave 1e-12 of the pressure.
 TEST_P(Belt, IsInvariantUnderAChangeOfTheFrame) {
-    if (GetParam().name == "quadratic_vertex") {
-        GTEST_SKIP() << "the scene has no moving clamp of degree 2";
-    }
     const scene::Scene at_rest = on_a_belt(GetParam().overrides);
     support::Overrides moving = GetParam().overrides;
     moving.insert(moving.end(),

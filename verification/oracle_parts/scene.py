@@ -93,12 +93,6 @@ class Convection:
 
 
 @dataclass(frozen=True)
-class Convection:
-    coefficient: float
-    ambient_temperature: Expression
-
-
-@dataclass(frozen=True)
 class Contact:
     gap: Expression
     quadrature: int | str

@@ -94,6 +94,44 @@ inline std::vector<Polynomial> friction_jacobian(const Situation& at, std::size_
     });
 }
 
+/// The difference of the strain of the recovered gradients and `discrete`.
+inline std::array<Polynomial, 3> strain_left(const Situation& at, const std::array<Polynomial, 3>& discrete) {
+    return {at.G[0][0] - discrete[0], at.G[1][1] - discrete[1], at.G[0][1] + at.G[1][0] - discrete[2]};
+}
+
+/// a . K a with K [2][2].
+inline Polynomial contract(const std::vector<double>& K, const VectorPolynomial& a) {
+    return a[0] * (a[0] * K[0] + a[1] * K[1]) + a[1] * (a[0] * K[2] + a[1] * K[3]);
+}
+
+/// Squares of what recovered gradients leave of the discrete ones, and of these, in the norms of energy.
+inline void add_estimates(std::map<std::string, ClosedForm>& forms) {
+    for (const std::string law : {"elastic", "viscous"}) {
+        const std::string tensor = law == "elastic" ? "E" : "Visc";
+        const auto discrete = [law](const Situation& at) {
+            return strain(at.triangle, law == "elastic" ? at.u : at.w);
+        };
+        const auto square = [tensor](const Situation& at, const std::array<Polynomial, 3>& e) {
+            return std::vector{contract(e, at.constants.at(tensor), e)};
+        };
+        forms["estimate." + law + "_energy"] = {
+            Domain::cell, [=](const Situation& at, std::size_t) { return square(at, discrete(at)); }};
+        forms["estimate." + law + "_error"] = {Domain::cell, [=](const Situation& at, std::size_t) {
+                                                   return square(at, strain_left(at, discrete(at)));
+                                               }};
+    }
+    forms["estimate.heat_energy"] = {
+        Domain::cell, [](const Situation& at, std::size_t) {
+            return std::vector{contract(at.constants.at("K"), at.triangle.gradient(at.theta))};
+        }};
+    forms["estimate.heat_error"] = {
+        Domain::cell, [](const Situation& at, std::size_t) {
+            const VectorPolynomial grad = at.triangle.gradient(at.theta);
+            return std::vector{
+                contract(at.constants.at("K"), VectorPolynomial{at.H[0] - grad[0], at.H[1] - grad[1]})};
+        }};
+}
+
 /// Integral of sigma over the cell, all six components.
 inline std::vector<Polynomial> stress(const Situation& at) {
     const auto e = strain(at.triangle, at.u), de = strain(at.triangle, at.w);
@@ -143,6 +181,7 @@ inline std::map<std::string, ClosedForm> closed_forms() {
     using At = const Situation&;
     using On = const Contact&;
 
+    add_estimates(forms);
     cell("inertia.mass", [](At at) { return vector_mass(at, at.constant("rho")); });
     cell("norms.velocity", [](At at) { return vector_mass(at, 1.0); });
     cell("norms.temperature", [](At at) { return scalar_mass(at, 1.0); });

@@ -57,6 +57,9 @@ Situation body(const Triangle& triangle, int degree) {
     at.w = {field(degree, -0.3, 0.6, 0.2), field(degree, 0.7, -0.5, 0.4)};
     at.f = {field(degree, 1.0, 2.0, -1.0), field(degree, -0.5, 0.3, 2.5)};
     at.theta = field(degree, 2.0, -1.0, 0.5);
+    at.G = {VectorPolynomial{field(degree, 0.4, -0.1, 0.2), field(degree, 0.1, 0.3, -0.2)},
+            VectorPolynomial{field(degree, -0.3, 0.5, 0.1), field(degree, 0.2, -0.4, 0.6)}};
+    at.H = {field(degree, 1.2, 0.7, -0.3), field(degree, -0.5, 0.2, 0.9)};
     return at;
 }
 
@@ -130,6 +133,9 @@ class OneElement {
         add("w", {at.w[0], at.w[1]});
         add("f", {at.f[0], at.f[1]});
         add("g", {at.g});
+        add("G0", {at.G[0][0], at.G[0][1]});
+        add("G1", {at.G[1][0], at.G[1][1]});
+        add("H", {at.H[0], at.H[1]});
         add("theta_F", {at.theta_F});
         add("v_F", {Polynomial(at.foundation[0]), Polynomial(at.foundation[1])});
         for (const char* name : {"theta", "theta_a", "q0", "flux"}) {

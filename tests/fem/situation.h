@@ -25,7 +25,9 @@ struct Situation {
     Constants constants;
     VectorPolynomial u, w, f;
     Polynomial g, theta, theta_F;
-    std::vector<double> stress;  ///< xx, yy, zz, xy, yz, xz
+    std::vector<double> stress;              ///< xx, yy, zz, xy, yz, xz
+    std::array<VectorPolynomial, 2> G = {};  ///< recovered gradients of the two components of a vector field
+    VectorPolynomial H = {};                 ///< that of the temperature
     bool closed = true;
     double transfer_slope = 0;  ///< k_c(r) = transfer_offset + transfer_slope r
     double transfer_offset = 0;

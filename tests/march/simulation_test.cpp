@@ -500,9 +500,10 @@ TEST(Simulation, TotalsCountTheHistory) {
 /// strain. Each is there, and they balance to the audit's 1e-9 of their magnitudes, in a step that is solved.
 TEST(Simulation, HeatTermsBalance) {
     const scene::Scene scene = repository_scene(
-        "anisotropic", {"mesh.cells=[5,4]", "boundary.bottom.contact.friction.heat_share=0.8",
-                        "heat.strain_rate_heating=0.5", "boundary.left.convection.coefficient=2.5",
-                        "boundary.left.convection.ambient_temperature=4.0"});
+        "anisotropic",
+        {"mesh.cells=[5,4]", "boundary.bottom.contact.friction.heat_share=0.8",
+         "boundary.bottom.contact.foundation_velocity=[1.0,0.0]", "heat.strain_rate_heating=0.5",
+         "boundary.left.convection.coefficient=2.5", "boundary.left.convection.ambient_temperature=4.0"});
     Simulation simulation(scene);
     const std::map<std::string, double> signs{
         {"heat_storage_rate", 1},     {"contact_heat_outflow", 1},   {"prescribed_temperature_inflow", -1},

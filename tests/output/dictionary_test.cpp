@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "march/adaptive_march.h"
 #include "output/results.h"
 #include "output/summary.h"
 #include "support/scenes.h"
@@ -26,7 +27,9 @@ const std::vector<std::pair<std::string, support::Overrides>>& scenes() {
         {"anisotropic", {"mesh.cells=[4,4]", "time.end=0.05"}},
         {"heat-only", {"mesh.cells=[4,4]", "time.steps=1"}},
         {"box", {"mesh.cells=[2,2,2]", "time.steps=1"}},
-        {"quasi-static", {"mesh.cells=[4,4]", "time.steps=1"}}};
+        {"quasi-static", {"mesh.cells=[4,4]", "time.steps=1"}},
+        {"paper-isotropic",
+         {"mesh.cells=[2,2]", "time.steps=1", "mesh.refinement.tolerance=0.5", "mesh.refinement.every=1"}}};
     return all;
 }
 
@@ -66,14 +69,15 @@ TEST(Dictionary, NothingIsWrittenThatIsNotDeclared) {
     const auto folder = std::filesystem::temp_directory_path() / "thermocontact-dictionary";
     for (const auto& [name, overrides] : scenes()) {
         const scene::Scene scene = support::repository_scene(name, overrides);
-        march::Simulation simulation(scene);
+        march::AdaptiveMarch march(scene);
         {
-            Results results({folder, simulation.team()}, scene, simulation);
-            while (!simulation.finished()) {
-                simulation.advance();
+            Results results({folder, march.simulation().team()}, scene, march.simulation());
+            while (!march.simulation().finished()) {
+                march.advance();
+                results.follow(march.simulation(), march.mesh_number());
                 EXPECT_NO_THROW(results.add_step()) << name;
             }
-            results.finish("completed", "", {}, conditions(simulation));
+            results.finish("completed", "", {}, conditions(march.simulation()));
         }
         std::ostringstream text;
         text << std::ifstream(folder / "summary.json").rdbuf();
@@ -87,9 +91,9 @@ TEST(Dictionary, EveryColumnOfTheHistoryIsWrittenBySomeScene) {
     std::set<std::string> written;
     for (const auto& [name, overrides] : scenes()) {
         const scene::Scene scene = support::repository_scene(name, overrides);
-        march::Simulation simulation(scene);
-        simulation.advance();
-        for (const auto& [column, value] : simulation.record()) {
+        march::AdaptiveMarch march(scene);
+        march.advance();
+        for (const auto& [column, value] : march.simulation().record()) {
             written.insert(column);
         }
     }

@@ -33,6 +33,7 @@ const Mistake unknown_keys[] = {
      R"(did you mean "boundary.left.contact.compliance.stiffness"?)"},
     {"OfSeveralTables", 2, "cells = [4, 4]\ncoefficient = 3",
      R"(scene.toml:3: mesh.coefficient: unknown key; did you mean )"
+     R"("boundary.NAME.convection.coefficient", )"
      R"("boundary.NAME.contact.friction.coefficient" or "boundary.NAME.contact.conductance.coefficient"?)"},
     {"LikeNothing", 5, "steps = 4\nfoo = 1",
      R"(scene.toml:6: time.foo: unknown key; expected "end", "steps", "step", "scheme", "tolerance", "spectral_radius", "coupling" or "coupling_tolerance")"},

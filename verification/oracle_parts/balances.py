@@ -223,6 +223,7 @@ class HeatBalance:
                 q0 = Nodal(problem.Q, scene, [piece.heat.source])
                 self.loads.add(q0, fem.form(q0.function * eta * piece.dx))
         self.prescribed = Prescribed(problem.Q, scene)
+        exchange: list[Any] = []  # with the air, side by side
         for name, boundary in scene.boundaries.items():
             side = problem.sides[name]
             if boundary.heat_flux:
@@ -230,7 +231,7 @@ class HeatBalance:
                 self.loads.add(q_in, fem.form(q_in.function * eta * side.ds()))
             if boundary.convection:
                 h = problem.constant(boundary.convection.coefficient)
-                linear += h * trial * eta * side.ds()
+                exchange.append(h * trial * eta * side.ds())
                 theta_a = Nodal(problem.Q, scene, [boundary.convection.ambient_temperature], side)
                 self.loads.add(theta_a, fem.form(h * theta_a.function * eta * side.ds()))
             if boundary.temperature:
@@ -252,8 +253,8 @@ class HeatBalance:
             tau,
             lambda: StepEquation(
                 "heat balance",
-                assembled_matrix(linear),
-                assembled_matrix(linear, self.prescribed.bcs),
+                assembled_matrix(linear, on_sides=exchange),
+                assembled_matrix(linear, self.prescribed.bcs, exchange),
                 self.prescribed.bcs,
                 self.prescribed.dofs,
                 self.stage_theta,

@@ -30,9 +30,14 @@ def apply_voigt(matrix: Any, tau: Any) -> Any:
     return ufl.as_tensor(((s[0], s[5], s[4]), (s[5], s[1], s[3]), (s[4], s[3], s[2])))
 
 
-def assembled_matrix(form: Any, bcs: Sequence[Any] = ()) -> Any:
+def assembled_matrix(form: Any, bcs: Sequence[Any] = (), on_sides: Sequence[Any] = ()) -> Any:
+    """Of the form and of those on single sides: a form of UFL takes the facets of one side only."""
     matrix = fem_petsc.assemble_matrix(fem.form(form), bcs=list(bcs))
     matrix.assemble()
+    for on_side in on_sides:
+        more = fem_petsc.assemble_matrix(fem.form(on_side), bcs=list(bcs), diagonal=0.0)
+        more.assemble()
+        matrix.axpy(1.0, more)
     return matrix
 
 

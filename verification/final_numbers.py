@@ -1,6 +1,7 @@
 """Compare the numbers that two summaries end with: norms and contact measures, as compare.py says."""
 
 import csv
+import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -18,11 +19,13 @@ HALF_A_BIT = 2.0**-53  # the relative error of rounding to double precision
 
 
 def velocity_round_off(directory: Path) -> float:
-    """How well N steps with u_n = u_(n-1) + k w_n know ||w||: N 2^-53 max ||w||; 0 without a history.
+    """How well N steps with u_n = u_(n-1) + k w_n know ||w||: N 2^-53 max ||w|| times the condition; 0 without a history.
 
     A step begins with a displacement that is rounded to 2^-53 |u|, hence with a strain and elastic forces that are
     wrong by as much. Where elasticity outweighs inertia (k^2 E > rho h^2), the step answers with the velocity that
-    takes this back, 2^-53 |u|/k, and |u| <= N k max |w|. It matters to a body that has slid far and is at rest: in
+    takes this back, 2^-53 |u|/k, and |u| <= N k max |w|. That the rounding of the system's entries and of its right-hand
+    side makes it larger by up to Skeel's condition number is what the summary of the driver states (`conditioning`);
+    without one it counts as 1. It matters to a body that has slid far and is at rest: in
     scenes/benchmarks/sliding-block.toml it is 4e-14 m/s, where friction's creep is 1.4e-7 m/s. Seen there: 7e-16 m/s,
     as errors of the nodes cancel in the norm; 1e-17 with the origin where the block comes to rest, 1e-13 with it
     100 m away.
@@ -35,7 +38,17 @@ def velocity_round_off(directory: Path) -> float:
     except (OSError, ValueError) as problem:
         raise Unusable(f"{directory}: history.csv cannot be read: {problem}") from problem
     finite = [norm for norm in norms if np.isfinite(norm)]
-    return len(norms) * HALF_A_BIT * max(finite, default=0.0)
+    return len(norms) * HALF_A_BIT * max(finite, default=0.0) * _condition(directory)
+
+
+def _condition(directory: Path) -> float:
+    """Of the momentum balance's last system, at least 1."""
+    try:
+        summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError) as problem:
+        raise Unusable(f"{directory}: summary.json cannot be read: {problem}") from problem
+    stated = (summary.get("conditioning") or {}).get("momentum") or {}
+    return max(1.0, float(stated.get("condition") or 1.0))
 
 
 def compare_finals(a: Mapping[str, Any], b: Mapping[str, Any], round_off: float) -> list[Worst]:

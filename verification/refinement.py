@@ -8,7 +8,7 @@ element, and so judges the driver's estimate, too. Theory (P. Binev, W. Dahmen, 
 219-268): with N unknowns, adaptive meshes of degree p reach the order p/d of smooth solutions; uniform ones 1/(2 d). Of
 degree 2 in space no mesh of bisected tetrahedra does, as the singular edge takes more of them than the order allows.
 
-Exits 1 if an order is off by more than 0.1, if the estimate is not within a fifth of the true error, or a tolerance is
+Exits 1 if an order is more than 0.1 below theory's (of uniform meshes: off by that, either way), if the estimate is not within a fifth of the true error, or a tolerance is
 not met.
 """
 
@@ -211,7 +211,9 @@ def faults(series: Series, adaptive: Sequence[Point], uniform: Sequence[Point]) 
         ("adaptive", adaptive, series.order),
         ("uniform", uniform, 0.5 / series.dimension),
     ):
-        if abs(order(points) - expected) > OFF:
+        found_order = order(points)
+        # meshes of loose tolerances have cells that only the base mesh asks for: adaptive orders come out above theory's
+        if found_order < expected - OFF or (what == "uniform" and found_order > expected + OFF):
             found.append(f"{series.name}, {what}: order {order(points):.3f}, expected {expected:.3f}")
     for point in adaptive:
         assert point.estimate is not None and point.tolerance is not None

@@ -8,8 +8,8 @@ element, and so judges the driver's estimate, too. Theory (P. Binev, W. Dahmen, 
 219-268): with N unknowns, adaptive meshes of degree p reach the order p/d of smooth solutions; uniform ones 1/(2 d). Of
 degree 2 in space no mesh of bisected tetrahedra does, as the singular edge takes more of them than the order allows.
 
-Exits 1 if an order is more than 0.1 below theory's (of uniform meshes: off by that, either way), if the estimate is not within a fifth of the true error, or a tolerance is
-not met.
+Exits 1 if an order is more than 0.1 below theory's (of uniform meshes: off by that, either way), if the estimate is not
+within a fifth of the true error, or a tolerance is not met.
 """
 
 import argparse

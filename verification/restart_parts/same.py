@@ -38,15 +38,24 @@ def history(folder: Path) -> dict[str, Array]:
     return columns
 
 
+def scale_of(name: str, columns: dict[str, Array]) -> float:
+    """What differences of a column are relative to: its largest value; of a jump as the mesh changes, as the difference
+    of two energies, that of what is stored."""
+    if name == "heat_of_remeshing":
+        steps = np.diff(columns["time"], prepend=0.0)
+        return float(np.abs(np.cumsum(columns["heat_storage_rate"] * steps)).max())
+    return float(np.abs(columns[name.removesuffix("_of_remeshing")]).max())
+
+
 def history_distance(whole: Path, other: Path) -> float:
-    """The largest difference of a column at the steps of `other`, relative to the column's largest value."""
+    """The largest difference of a column at the steps of `other`, relative to scale_of()."""
     a, b = history(whole), history(other)
     if list(a) != list(b) or a["step"][-1] != b["step"][-1]:
         raise Differs(f"{other}: history.csv has other columns or another end than {whole}")
     rows = slice(int(b["step"][0] - a["step"][0]), None)
     worst = 0.0
     for name in a.keys() - set(HOW):
-        scale = float(np.abs(a[name]).max())
+        scale = scale_of(name, a)
         if scale > 0:
             worst = max(worst, float(np.abs(a[name][rows] - b[name]).max()) / scale)
     return worst

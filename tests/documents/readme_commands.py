@@ -49,6 +49,13 @@ COMMANDS = (
         long=True,
     ),
     Command(PYTHON + "plan_check.py", reason=TWO_CORES, test="plan"),
+    Command(PYTHON + "plan_check.py --accuracy --budget 2 30", reason=TWO_CORES, test="plan"),
+    Command(
+        DRIVER + "run scenes/refined.toml --output refined",
+        instead=DRIVER + "run scenes/refined.toml --output refined --set time.steps=2",
+        long=True,
+    ),
+    Command(PYTHON + "refinement.py --output refinement", reason=TWO_CORES, test="refinement"),
     Command(PAPER + "--output results", interrupted=True),
     Command(PAPER + "--output results --restart results/checkpoint.h5"),
     Command(PYTHON + "cut_and_restart.py", reason=TWO_CORES, test="restart.cut"),

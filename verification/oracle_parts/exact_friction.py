@@ -31,6 +31,8 @@ FACETS = {
 SOFT, STIFF, STIFFEST = 0.2, 200.0, 2e5
 SETTLED = 1e-3  # of the multiplier: smaller changes are no longer those of points that begin or end to slip
 MOST_UPDATES = 60
+HALF_A_BIT = 2.0**-53  # the relative error of rounding to double precision
+ROUNDINGS = 10.0  # a slip is a sum over the nodes of a facet, each rounded
 SLIPS = 1e-6  # |w_t| gamma beyond this share of p_t
 
 
@@ -120,13 +122,17 @@ class ExactFriction:
         tangential: Array = field - np.sum(field * self.normals, axis=2)[..., None] * self.normals
         return tangential
 
-    def update(self, u: Array, w: Array) -> tuple[float, float]:
-        """The multiplier becomes the friction; the squares of its change and of its size, on this process."""
+    def update(self, u: Array, w: Array) -> tuple[float, float, float]:
+        """The multiplier becomes the friction; on this process, the squares of its change, of its size, and of what
+        rounding the velocities of body and foundation makes of gamma times the slip."""
         _, bound, slip = self._state(u, w)
         new = projected(self.multiplier + self.gamma * slip, bound)
         change, size = float(np.sum((new - self.multiplier) ** 2)), float(np.sum(new**2))
         self.multiplier = new
-        return change, size
+        velocity = np.abs(w.reshape(-1, self.dimension)[self.nodes]).max(initial=0.0)
+        belt = np.abs(self.side.belt.function.x.array).max(initial=0.0) if self.side.belt is not None else 0.0
+        rounded = HALF_A_BIT * self.gamma * (velocity + belt)
+        return change, size, new.size * rounded**2
 
     def add_heat(self, vector: Any, share: float, u: Array, w: Array) -> None:
         """That share of -sigma_t . slip, tested with the functions of the temperature."""
@@ -224,7 +230,7 @@ class FrictionTerm:
         dofs = np.unique(np.concatenate(constrained)) if constrained else np.empty(0, dtype=np.int32)
         self.friction.add_derivative(matrix, dofs, *self.fields(), float(self.tau.value))
 
-    def update(self) -> tuple[float, float]:
+    def update(self) -> tuple[float, float, float]:
         return self.friction.update(*self.fields())
 
 
@@ -242,8 +248,8 @@ def solve_with_multipliers(
         iterations += taken
         before = change
         sums = comm.allreduce(np.sum([term.update() for term in terms], axis=0))
-        change = np.sqrt(sums[0] / sums[1]) if sums[1] > 0 else 0.0
-        if stiffening >= STIFF and (change <= tolerance or taken == 0):
+        change, noise = np.sqrt(sums[[0, 2]] / sums[1]) if sums[1] > 0 else (0.0, 0.0)
+        if stiffening >= STIFF and (change <= max(tolerance, ROUNDINGS * noise) or taken == 0):
             return iterations
         if stiffening < STIFF or (0.1 * before < change < SETTLED and stiffening < STIFFEST):
             stiffening *= 10.0

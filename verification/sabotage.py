@@ -26,6 +26,8 @@ from mutate_parts.workspace import ROOT, CannotCheck, Workspace, call, last_line
 FOLDERS = ("forms", "src", "verification/manufactured_parts")
 SWITCHES = ("-DTHERMOCONTACT_TESTS=OFF", "-DKERNEL_CELLS=triangle", "-DTHERMOCONTACT_MANUFACTURED=ON")
 HELPERS = {"space", "generate", "law", "in_force", "describe"}  # files in forms/ that hold no form
+# It decides which mesh is made, and the oracle follows: refinement.py and the closed forms in C++ judge it.
+JUDGED_ELSEWHERE = {"estimate"}
 SMALL = ["--set", "mesh.cells=[8,8]", "--set", "time.steps=4"]
 USUAL_SCENE = ("paper-isotropic",)  # and what is set in it
 EXACT_FRICTION = (*USUAL_SCENE, "--set", "boundary.bottom.contact.friction.regularisation=0")
@@ -125,7 +127,7 @@ def scene_file(scene: Scene) -> Path:
 
 
 def check_that_all_forms_are_listed() -> None:
-    forms = {path.stem for path in (ROOT / "forms").glob("*.py")} - HELPERS
+    forms = {path.stem for path in (ROOT / "forms").glob("*.py")} - HELPERS - JUDGED_ELSEWHERE
     listed = {mutation.name for mutation in SIGNS}
     if forms != listed:
         raise CannotCheck(f"forms without an edit, or edits without a form: {sorted(forms ^ listed)}")

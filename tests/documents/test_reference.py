@@ -155,7 +155,11 @@ def leaves(value: object, name: str = "") -> set[str]:
         return {name} if value != {} else set()
     result = set()
     for key, entry in value.items():
-        key = {"final.contact": "NAME", "conditioning": "BALANCE"}.get(name, key)
+        key = {
+            "final.contact": "NAME",
+            "conditioning": "BALANCE",
+            "solver.factors": "BALANCE",
+        }.get(name, key)
         result |= (
             {"scene"} if (name, key) == ("", "scene") else leaves(entry, f"{name}.{key}" if name else key)
         )

@@ -205,6 +205,7 @@ Quantities plan_entries() {
         {"plan.predicted.seconds", "s", "Time foreseen."},
         {"plan.predicted.unknowns", "", "Unknowns of the discretisation chosen."},
         {"plan.predicted.degree", "", "Its polynomial degree."},
+        {"plan.predicted.mesh", "", "Its kind of mesh: the scene's cells of a degree, or tensor cells graded toward sides."},
         {"plan.predicted.scale", "", "Its cells along each axis, over those of the coarsest pilot."},
         {"plan.predicted.stepping", "", "Its time scheme."},
         {"plan.predicted.steps", "", "Its number of steps."},

@@ -36,7 +36,7 @@ from mutate_parts.mutation import Mutation, faults
 from mutate_parts.suite import Suite
 from mutate_parts.workspace import ROOT, CannotCheck, Workspace
 
-FOLDERS = ("forms", "src", "tests", "verification", "scenes")
+FOLDERS = ("cmake", "docs", "examples", "forms", "src", "tests", "verification", "scenes")
 NOTICED, SURVIVED, BROKEN = 0, 1, 2
 
 

@@ -23,7 +23,7 @@ from mutate_parts.forms import SIGNS
 from mutate_parts.mutation import Mutation
 from mutate_parts.workspace import ROOT, CannotCheck, Workspace, call, last_line, must
 
-FOLDERS = ("forms", "src", "verification/manufactured_parts")
+FOLDERS = ("cmake", "docs", "examples", "forms", "scenes", "src", "verification/manufactured_parts")
 SWITCHES = ("-DTHERMOCONTACT_TESTS=OFF", "-DKERNEL_CELLS=triangle", "-DTHERMOCONTACT_MANUFACTURED=ON")
 HELPERS = {"space", "generate", "law", "in_force", "describe"}  # files in forms/ that hold no form
 # It decides which mesh is made, and the oracle follows: refinement.py and the closed forms in C++ judge it.

@@ -32,7 +32,7 @@ SMALL = ["--set", "mesh.cells=[8,8]", "--set", "time.steps=4"]
 USUAL_SCENE = ("paper-isotropic",)  # and what is set in it
 EXACT_FRICTION = (*USUAL_SCENE, "--set", "boundary.bottom.contact.friction.regularisation=0")
 CONVECTION = (
-    *USUAL_SCENE,
+    "impact",  # whose sides have no temperature
     *("--set", "boundary.left.convection.coefficient=2"),
     *("--set", "boundary.left.convection.ambient_temperature=5"),
 )

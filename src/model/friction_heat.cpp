@@ -20,8 +20,8 @@ FrictionHeat::FrictionHeat(const ContactSurfaces& surfaces, const mesh::Mesh& me
             fields["lam"] = surface->multiplier->on_facet();
         }
         // with k = 0 the displacement u_old + k w of the friction forms is that of the motion
-        auto kernel = fem::find_kernel(surface->multiplier ? "coulomb.heat" : "friction.heat", mesh.cell,
-                                       space.element.degree);
+        auto kernel = fem::kernel_in_force(surface->multiplier ? "coulomb.heat" : "friction.heat", mesh.cell,
+                                           space.element.degree, surface->kernels);
         auto form = std::make_unique<fem::Form>(std::move(kernel), mesh,
                                                 contact_constants(surface->laws, 0.0), fields, surface->rule);
         sources_.push_back({surface.get(), std::move(form)});

@@ -355,7 +355,11 @@ def law_files(side: str, shape: str = "rectangle") -> dict[str, list[Variation]]
             Variation(base, {**compliance, **exact}),
             Variation(base, {**compliance, **vertex, "space.degree": 2}),
         ],
-        forms["friction"]: [Variation(base, friction), Variation(base, {**friction, **compliance})],
+        forms["friction"]: [
+            Variation(base, friction),
+            Variation(base, {**friction, **compliance}),
+            Variation(base, {**friction, f"{at}.friction.heat_share": 0.5}),
+        ],
         forms["conductance"]: [
             Variation(base, conductance),
             Variation(base, {**conductance, **compliance, **friction, "mesh.cell": "tensor"}),

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "march/simulation.h"
+#include "support/rows.h"
 #include "support/scenes.h"
 
 namespace thermocontact::march {
@@ -13,17 +14,8 @@ namespace {
 
 const std::string exact = "boundary.bottom.contact.friction.regularisation=0";
 
-double value(const Record& record, const std::string& name) {
-    return std::ranges::find(record, name, &Record::value_type::first)->second;
-}
-
-double largest(const std::vector<double>& values) {
-    double result = 0;
-    for (const double v : values) {
-        result = std::max(result, std::abs(v));
-    }
-    return result;
-}
+using support::largest;
+using support::value;
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
     double result = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "march/simulation.h"
+#include "support/rows.h"
 #include "support/scenes.h"
 
 namespace thermocontact::march {
@@ -14,17 +15,8 @@ namespace {
 
 const std::string contact = "boundary.bottom.contact.";
 
-double value(const Record& record, const std::string& name) {
-    return std::ranges::find(record, name, &Record::value_type::first)->second;
-}
-
-double largest(const std::vector<double>& values) {
-    double result = 0;
-    for (const double v : values) {
-        result = std::max(result, std::abs(v));
-    }
-    return result;
-}
+using support::largest;
+using support::value;
 
 struct Variant {
     std::string name;

@@ -2,12 +2,13 @@
 # The Debian packages install and run on a bare Debian 12: made here, installed with apt in a system of debootstrap's,
 # where a scene is run from an unprivileged user's folder and the example is built. Needs root (chroot) and the network;
 # the mirror is that of this machine. Usage: sh tests/bare_debian.sh FOLDER [PACKAGES]
-# In FOLDER the system is made, and kept bare as base.tar. PACKAGES: a folder that has them already.
+# In FOLDER the system is made, and kept bare as bookworm.tar. PACKAGES: a folder that has them already.
 set -eu
 folder=$(realpath -m "${1:?a folder}") packages=$(realpath -m "${2:-build-package}")
 . "$(dirname "$0")/../.ci/environment.sh"
-[ "$(id -u)" -eq 0 ] || { echo "a bare system can only be entered by root" >&2; exit 1; }
-sh .ci/packages.sh debootstrap dpkg-dev file
+system="$folder/system"
+. tests/support/debian_root.sh
+sh .ci/packages.sh dpkg-dev file
 mkdir -p "$folder"
 
 [ $# -gt 1 ] || cmake --workflow --preset package >"$folder/package.log" 2>&1 || { tail -n 40 "$folder/package.log" >&2; exit 1; }
@@ -24,29 +25,8 @@ for package in "$program" "$library"; do
 done
 dpkg-deb --field "$program" Depends | grep -q libpetsc || { echo "no shared libraries in Depends" >&2; exit 1; }
 
-system="$folder/system"
-leave() {
-    for place in sys proc; do
-        mountpoint -q "$system/$place" && umount "$system/$place"
-    done
-    return 0
-}
-trap leave EXIT
-leave
-rm -rf "$system"
-if [ ! -f "$folder/base.tar" ]; then
-    mirror=$(apt-get indextargets --format '$(SITE)' 'Codename: bookworm' 'Created-By: Packages' | sort -u | grep -v security | head -n 1)
-    debootstrap --variant=minbase bookworm "$system" "$mirror" >"$folder/debootstrap.log"
-    tar -C "$system" -cf "$folder/base.part" .
-    mv "$folder/base.part" "$folder/base.tar"
-else
-    mkdir -p "$system"
-    tar -C "$system" -xf "$folder/base.tar"
-fi
-cp /etc/resolv.conf "$system/etc/resolv.conf"
-mount -t proc proc "$system/proc"
-mount -t sysfs -o ro sysfs "$system/sys"
-inside() { chroot "$system" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
+make_system bookworm
+enter_system
 get="apt-get install -y -qq --no-install-recommends"
 
 # The program alone: nothing but its package and what that depends on

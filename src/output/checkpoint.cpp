@@ -95,7 +95,7 @@ Checkpoint take(const std::string& sealed, const scene::Scene& scene) {
     const auto there = nlohmann::json::parse(laws);
     for (const auto& [kind, law] : there.items()) {
         const auto own = scene.laws.find(kind);
-        if (own != scene.laws.end() && own->second != law) {
+        if (own != scene.laws.end() && own->second != law.get<std::string>()) {
             found.push_back("the file of forms." + kind + " says something else than it did");
         }
     }

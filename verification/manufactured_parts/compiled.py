@@ -84,7 +84,8 @@ class Exact:
 def forms(study: str, V: Any, Q: Any, mesh: Any, t: Any, u_h: Any, w_h: Any, theta_h: Any) -> Forms:
     """All forms of a study by name: BODY_body_force, ..., BODY_error_gradient of the cases without contact, and
     CASE_contact_traction, CASE_contact_heat_flux of those with it (Case.body says which body is theirs)."""
-    degree = Q.ufl_element().degree()
+    degree = Q.ufl_element().degree
+    degree = degree() if callable(degree) else degree  # a method before UFL 2023
     rule = {"quadrature_degree": quadrature_degree(degree)}
     dx, ds = ufl.dx(domain=mesh, metadata=rule), ufl.ds(domain=mesh, metadata=rule)
     v, eta = ufl.TestFunction(V), ufl.TestFunction(Q)

@@ -1,6 +1,7 @@
 """A run as a moving picture (GIF): the body deformed and coloured, in the plane with the foundation beneath it.
 
     python3 verification/animate.py DIR --output FILE.gif [--field temperature] [--frames 24] [--scale 1]
+    python3 verification/animate.py DIR --output FILE.png --frames 4       # the frames side by side, two in a row
 
 Colours keep one range over all frames. The foundation is drawn where the driver's gap says that it is: the gap's length
 away from the deformed contact side, along the side's outward normal.
@@ -32,7 +33,8 @@ FIELDS = {
     "velocity": ("speed", "m/s", False),
 }
 COLOURS = 64  # of a frame's palette: a moving picture in a README is not to be large
-WIDTH, LEAST_HEIGHT, DPI = 4.0, 2.0, 80  # inches, of the body's panel
+WIDTH, LEAST_HEIGHT, DPI, STILL_DPI = 4.0, 2.0, 80, 110  # inches, of the body's panel
+COLUMNS, CELLS_OF_STILLS = 2, 10_000  # of stills, which have points enough to tell the cells apart
 TITLE = 52  # characters a line
 Array = style.Any
 
@@ -87,16 +89,13 @@ class Film:
         body = self.bodies[frame]
         return body.points + self.scale * displacement(body)
 
-    def frame(self, i: int) -> Image.Image:
+    def body_at(self, i: int, axes: style.Any, most_cells: int = 2000) -> style.Any:
+        """Draws it, with cells where there are no more seen; returns what a scale of colours can be made of."""
         body, moved = self.bodies[i], self.moved(i)
-        width, height = self.corners[1] - self.corners[0]
-        figure, axes = style.plt.subplots(
-            figsize=(WIDTH + 1.2, 1.3 + max(LEAST_HEIGHT, WIDTH * height / width))
-        )
         seen = surface(body, self.view, moved)
         triangles, owners = seen.triangles()
         values = values_of(body, self.field)
-        name, unit, on_cells = FIELDS[self.field]
+        on_cells = FIELDS[self.field][2]
         colours = {"facecolors": values[owners]} if on_cells else {"shading": "gouraud"}
         arguments = [] if on_cells else [values]
         drawn = axes.tripcolor(
@@ -107,7 +106,7 @@ class Film:
             vmax=self.high,
             **colours,
         )
-        edges = seen.edges()[0] if len(seen.cells) < 2000 else outline(body, self.view)
+        edges = seen.edges()[0] if len(seen.cells) < most_cells else outline(body, self.view)
         lines = style.matplotlib.collections.LineCollection
         axes.add_collection(
             lines(self.view.project(moved)[edges], colors=MESH_COLOUR, linewidths=0.3, alpha=0.5)
@@ -124,20 +123,60 @@ class Film:
         else:
             axes.set_xlabel("x (m)")
             axes.set_ylabel("y (m)")
+        return drawn
+
+    def time_at(self, i: int) -> str:
         size = "" if self.scale == 1.0 else f", displacement × {self.scale:g}"
-        axes.set_title(f"{textwrap.fill(self.title, TITLE)}\nt = {self.times[i]:.4g} s{size}")
-        figure.colorbar(drawn, ax=axes, label=f"{name} ({unit})", shrink=0.9)
+        return f"t = {self.times[i]:.4g} s{size}"
+
+    @property
+    def label(self) -> str:
+        name, unit, _ = FIELDS[self.field]
+        return f"{name} ({unit})"
+
+    def frame(self, i: int) -> Image.Image:
+        width, height = self.corners[1] - self.corners[0]
+        figure, axes = style.plt.subplots(
+            figsize=(WIDTH + 1.2, 1.3 + max(LEAST_HEIGHT, WIDTH * height / width))
+        )
+        drawn = self.body_at(i, axes)
+        axes.set_title(f"{textwrap.fill(self.title, TITLE)}\n{self.time_at(i)}")
+        figure.colorbar(drawn, ax=axes, label=self.label, shrink=0.9)
         buffer = io.BytesIO()
         figure.savefig(buffer, dpi=DPI, format="png")
         style.plt.close(figure)
         with Image.open(buffer) as image:
             return image.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
 
+    def save_moving(self, path: Path) -> None:
+        first, *rest = [self.frame(i) for i in range(len(self.times))]
+        first.save(path, save_all=True, append_images=rest, duration=100, loop=0, optimize=True)
+
+    def save_stills(self, path: Path) -> None:
+        """A panel a frame, with the number of its cells: meshes may follow the solution."""
+        rows = -(-len(self.times) // COLUMNS)
+        width, height = self.corners[1] - self.corners[0]
+        figure, grid = style.panels(
+            rows, COLUMNS, WIDTH + 1, 0.9 + WIDTH * float(height / width), sharex=True, sharey=True
+        )
+        panels = grid.ravel()
+        drawn = [self.body_at(i, panels[i], CELLS_OF_STILLS) for i in range(len(self.times))]
+        for i, axes in enumerate(panels[: len(drawn)]):
+            axes.set_title(f"{self.time_at(i)}, {len(self.bodies[i].cells)} cells")
+            axes.label_outer()
+        for axes in panels[len(drawn) :]:
+            axes.set_visible(False)
+        figure.suptitle(self.title, fontsize=11)
+        figure.colorbar(drawn[0], ax=grid, label=self.label, shrink=0.7)
+        figure.savefig(path, dpi=STILL_DPI)
+        style.plt.close(figure)
+        style.reduce_colours(path)
+
 
 def main(arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(description="Draw a run as a moving picture.")
     parser.add_argument("folder", type=Path, metavar="DIR")
-    parser.add_argument("--output", type=Path, required=True, metavar="FILE.gif")
+    parser.add_argument("--output", type=Path, required=True, metavar="FILE.gif|png")
     parser.add_argument("--field", choices=FIELDS, default="temperature")
     parser.add_argument("--frames", type=int, default=24)
     parser.add_argument("--scale", type=float, default=1.0, help="of the displacement; default 1")
@@ -147,9 +186,7 @@ def main(arguments: Sequence[str]) -> int:
     try:
         film = Film(Results(options.folder), options.field, options.frames, options.scale)
         with styled():
-            frames = [film.frame(i) for i in range(len(film.times))]
-        first, *rest = frames
-        first.save(options.output, save_all=True, append_images=rest, duration=100, loop=0, optimize=True)
+            (film.save_stills if options.output.suffix == ".png" else film.save_moving)(options.output)
     except Unusable as problem:
         print(f"animate: {problem}", file=sys.stderr)
         return 2

@@ -1,15 +1,19 @@
 """What `run --accuracy` promises against what it keeps: error and time, on several scenes and accuracies.
 
     python3 verification/plan_check.py [SCENE...] [--accuracy 1e-1 1e-2 1e-3] [--budget 2 30] [--printed]
-                                       [--output FILE.csv] [--limit SECONDS]
+                                       [--set KEY=VALUE]... [--longest S] [--output FILE.csv] [--limit SECONDS]
 
 The error that is achieved is measured independently of the program's own estimate: the run is made again from the
-settings that it prints, with fields at the eight instants, and compared (lattice_errors.py) with a reference of degree
-2 and, as far as --limit lets it, two to four times the cells and four times the steps. What the reference errs by is
-bounded by what it differs by from one of half its cells and steps, for orders of at least 1, and stated. A request is
-met if the error lies between a third of what was asked and what was asked, within that bound, and the time within a
-factor 1.5 of the prediction; one that is refused (exit 3) must say why. A budget is kept if plan and run together take
-no longer, and its promise if the error lies within a factor 3 of the predicted one.
+settings that it prints, with fields at the eight instants, and compared (lattice_errors.py) with a reference, of degree
+2 and by a scheme of second order: that of the scene in plan_parts/references.py, or of a scene not listed there one of
+two to four times the run's cells, as far as --limit lets it, and four times its steps. What the reference errs by is
+bounded from it made coarser twice in space and in time (tradeoff_parts/bounds.py), and stated. A request is met if the
+error lies between a third of what was asked and what was asked, within that bound, and surely if it does whatever the
+reference errs by; and if the time lies within a factor 1.5 of the prediction. One that is refused (exit 3) must say why. A
+budget is kept if plan and run together take no longer, and its promise if the error lies within a factor 3 of the
+predicted one.
+
+--set KEY=VALUE changes the scenes. --longest S: what is foreseen to take more than S seconds is told, and not run.
 
 --printed: the command that `plan` prints runs as printed, with just these settings in force, of few digits.
 
@@ -20,6 +24,7 @@ the bound of the reference leaves no doubt, or is foreseen to take more than the
 import argparse
 import csv
 import json
+import re
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -29,15 +34,14 @@ from typing import Any
 
 import numpy as np
 
-from lattice_errors import NORMS, Body, Solution, read
 from plan_parts.calls import Program, Settings
+from plan_parts.references import REFERENCES, Judged, Reference, finer_than
 
 ROOT = Path(__file__).resolve().parents[1]
 SCENES = ("paper", "paper-isotropic", "impact", "benchmarks/rod-impact", "benchmarks/slope-slide", "box")
-COMPONENTS = dict(zip(("velocity", "strain", "temperature"), NORMS))
-FIELDS = {"velocity": "velocity", "strain": "displacement", "temperature": "temperature"}
-INSTANTS = 8
 TIME_FACTOR = 1.5
+CHOSEN = re.compile(r"^chosen +error (\S+) in (\S+) (s|min|h):", re.MULTILINE)
+SECONDS_OF = {"s": 1.0, "min": 60.0, "h": 3600.0}
 
 
 @dataclass(frozen=True)
@@ -45,7 +49,7 @@ class Row:
     scene: str
     asked: float  # accuracy, or seconds
     request: str  # "accuracy", "budget"
-    outcome: str  # met, accurate (more than asked), missed, late (of a budget), refused
+    outcome: str  # met (surely), accurate (more than asked), missed, late (of a budget), refused, not run
     predicted: float = np.nan
     achieved: float = np.nan  # measured
     bound: float = np.nan  # of the reference's own error
@@ -65,51 +69,40 @@ class Row:
         return 1 / TIME_FACTOR <= self.seconds / self.predicted_seconds <= TIME_FACTOR
 
 
-def errors(run: Solution, reference: Solution, components: Sequence[str]) -> float:
-    """The largest of the components' errors, relative to the largest norm of each."""
-    body = Body(reference.mesh)
-    apart, own = body.norms(reference, run).max(axis=0), body.norms(reference).max(axis=0)
-    columns = [NORMS.index(COMPONENTS[name]) for name in components]
-    return float(max(apart[at] / own[at] for at in columns if own[at] > 0))
+def outcome_of(judged: Judged, least: float, most: float) -> str:
+    """Of an error that is to lie between these."""
+    if judged.least >= least and judged.most <= most:
+        return "surely met"
+    if judged.most >= least and judged.least <= most:
+        return "met"
+    return "missed" if judged.error > most else "accurate"
 
 
 class Case:
-    """One scene and the fields of it that errors are of."""
+    """One scene. `limit`: seconds that a reference which is not in the table may take."""
 
-    def __init__(self, program: Program, scene: str, limit: float) -> None:
-        self.program, self.scene, self.limit = program, scene, limit
-        self.names: Sequence[str] = ()
+    def __init__(self, program: Program, scene: str, limit: float, longest: float) -> None:
+        self.program, self.scene, self.limit, self.longest = program, scene, limit, longest
+        self.kept: Reference | None = None
 
-    def fields(self, settings: Settings, folder: Path) -> Solution:
-        """At the instants, without the initial state: it is the same in all runs but for the mesh."""
-        self.program.run(self.scene, folder, settings.at_instants(INSTANTS), self.names)
-        solution = read(folder)
-        return Solution(solution.mesh, solution.times[1:], solution.frames[1:])
+    def reference(self, settings: Settings, seconds: float, components: Sequence[str]) -> Reference:
+        if self.kept:
+            return self.kept
+        if fine := None if self.program.changed else REFERENCES.get(self.scene):
+            self.kept = Reference(self.program, self.scene, fine, components)
+            return self.kept
+        expected = 8 * seconds * 4 ** (1.2 * len(settings.cells))
+        ratio = 4 if expected <= self.limit else 2
+        return Reference(self.program, self.scene, finer_than(settings, ratio), components)
 
-    def reference(self, settings: Settings, seconds: float, folder: Path) -> tuple[Solution, Solution]:
-        """The reference, and the run of half its cells and steps."""
-        dimension = len(settings.cells)
-        for ratio in (4, 2):
-            if 8 * seconds * ratio ** (1.2 * dimension) <= self.limit or ratio == 2:
-                fine = settings.refined(ratio, 4)
-                return (
-                    self.fields(fine, folder / "fine"),
-                    self.fields(settings.refined(ratio // 2, 2), folder / "half"),
-                )
-        raise AssertionError
-
-    def measure(self, request: str, asked: float, summary: Mapping[str, Any], folder: Path) -> Row:
+    def measure(self, request: str, asked: float, summary: Mapping[str, Any]) -> Row:
         plan = summary["plan"]
         settings = Settings(plan["settings"], summary["steps"])
-        taken, components = plan["achieved"]["seconds"], plan["components"]
-        self.names = [FIELDS[name] for name in components]
-        reference, half = self.reference(settings, taken, folder)
-        achieved = errors(self.fields(settings, folder / "again"), reference, components)
-        bound = errors(half, reference, components)
-        predicted = plan["predicted"]["error"]
+        taken, predicted = plan["achieved"]["seconds"], plan["predicted"]["error"]
+        reference = self.reference(settings, taken, plan["components"])
+        judged = reference.judge(reference.fields(settings))
         least, most = (asked / 3, asked) if request == "accuracy" else (predicted / 3, 3 * predicted)
-        inside = achieved + bound >= least and achieved - bound <= most
-        outcome = "met" if inside else "missed" if achieved > most else "accurate"
+        outcome = outcome_of(judged, least, most)
         if request == "budget" and plan["pilots"]["seconds"] + taken > asked:
             outcome = "late"
         return Row(
@@ -117,25 +110,37 @@ class Case:
             asked,
             request,
             outcome,
-            plan["predicted"]["error"],
-            achieved,
-            bound,
+            predicted,
+            judged.error,
+            judged.bound,
             plan["achieved"].get("error", np.nan),
             plan["predicted"]["seconds"],
             taken,
             plan["pilots"]["seconds"],
+            " ".join(plan["settings"]),
         )
 
     def check(self, request: str, asked: float, folder: Path) -> Row:
-        done = self.program.call(
-            "run", self.scene, f"--{request}", repr(asked), "--output", str(folder / "run")
-        )
+        words = (f"--{request}", repr(asked))
+        if self.longest < np.inf and request == "accuracy":
+            told = self.program.call("plan", self.scene, *words)
+            foreseen = foreseen_by(told.stdout)
+            if foreseen and foreseen[1] > self.longest:
+                return Row(self.scene, asked, request, "not run", foreseen[0], predicted_seconds=foreseen[1])
+        done = self.program.call("run", self.scene, *words, "--output", str(folder / "run"))
         if done.returncode == 3:
             return Row(self.scene, asked, request, "refused", remark=done.stderr.strip().splitlines()[-1])
         if done.returncode != 0:
             raise RuntimeError(f"{self.scene}: exit {done.returncode}: {done.stderr}")
-        summary = json.loads((folder / "run" / "summary.json").read_text(encoding="utf-8"))
-        return self.measure(request, asked, summary, folder)
+        return self.measure(
+            request, asked, json.loads((folder / "run" / "summary.json").read_text(encoding="utf-8"))
+        )
+
+
+def foreseen_by(told: str) -> tuple[float, float] | None:
+    """Error and seconds of what a plan chooses; nothing where it refuses."""
+    found = CHOSEN.search(told)
+    return (float(found[1]), float(found[2]) * SECONDS_OF[found[3]]) if found else None
 
 
 def check_printed(program: Program, scene: str, asked: float, folder: Path) -> None:
@@ -161,6 +166,10 @@ def table(rows: Sequence[Row]) -> str:
         if row.outcome == "refused":
             lines.append(f"| `{scene}` | {asked} | refused | | | | | | |")
             continue
+        if row.outcome == "not run":
+            time = f"{row.predicted_seconds:.2g} s foreseen"
+            lines.append(f"| `{scene}` | {asked} | not run | {row.predicted:.1e} | | | | {time} | |")
+            continue
         lines.append(
             f"| `{scene}` | {asked} | {row.outcome} | {row.predicted:.1e} | {row.achieved:.1e} | {row.bound:.0e} "
             f"| {row.estimated:.1e} | {row.seconds:.2g} s, {row.seconds / row.predicted_seconds:.2f} "
@@ -178,19 +187,22 @@ def main() -> int:
     parser.add_argument("--budget", type=float, nargs="*", default=[], help="seconds")
     parser.add_argument("--printed", action="store_true")
     parser.add_argument("--output", type=Path)
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
+    parser.add_argument("--longest", type=float, default=np.inf, metavar="S")
     parser.add_argument("--limit", type=float, default=600.0, help="seconds that a reference may take")
     parser.add_argument("--driver", type=Path, default=ROOT / "build" / "thermocontact")
     options = parser.parse_args()
-    program, rows = Program(options.driver, ROOT / "scenes"), []
+    program, rows = Program(options.driver, ROOT / "scenes", tuple(options.set)), []
     requests = [("accuracy", asked) for asked in options.accuracy]
     requests += [("budget", seconds) for seconds in options.budget]
     for scene in options.scenes:
         if options.printed:
             with tempfile.TemporaryDirectory() as name:
                 check_printed(program, scene, max(options.accuracy), Path(name))
+        case = Case(program, scene, options.limit, options.longest)
         for request, asked in requests:
             with tempfile.TemporaryDirectory() as name:
-                rows.append(Case(program, scene, options.limit).check(request, asked, Path(name)))
+                rows.append(case.check(request, asked, Path(name)))
             print(table(rows[-1:]).splitlines()[-1], rows[-1].remark, flush=True)
     print("\n" + table(rows))
     if options.output:
@@ -199,7 +211,7 @@ def main() -> int:
             writer.writeheader()
             writer.writerows(asdict(row) for row in rows)
     beyond = [row for row in rows if row.outcome == "missed" or row.overdrawn]
-    late = [row for row in rows if row.outcome != "refused" and not row.in_time]
+    late = [row for row in rows if row.outcome not in ("refused", "not run") and not row.in_time]
     print(
         f"\n{len(rows)} requests, {len(beyond)} missed, {len(late)} beyond a factor {TIME_FACTOR} of the time predicted"
     )

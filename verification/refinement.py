@@ -27,6 +27,7 @@ import numpy as np
 import numpy.typing as npt
 
 from oracle_parts import vtu
+from plotting.style import Album, panels, styled
 
 HERE = Path(__file__).resolve().parent
 Array = npt.NDArray[Any]
@@ -80,7 +81,7 @@ class Point:
 SERIES = (
     Series(2, 1, (0.2, 0.1, 0.05, 0.025, 0.0125), (4, 8, 16, 32, 64)),
     Series(2, 2, (0.02, 0.01, 0.005, 0.002, 0.001), (4, 8, 16, 32)),
-    Series(3, 1, (0.4, 0.3, 0.2, 0.14), (2, 4, 8, 12)),
+    Series(3, 1, (0.4, 0.3, 0.2, 0.14, 0.1, 0.07), (2, 4, 8, 16)),
 )
 SMALL = (Series(2, 1, (0.1, 0.05, 0.025), (8, 16, 32)), Series(2, 2, (0.01, 0.003, 0.001), (4, 8, 16)))
 
@@ -224,24 +225,35 @@ def faults(series: Series, adaptive: Sequence[Point], uniform: Sequence[Point]) 
     return found
 
 
-def picture(path: Path, points: Sequence[Point]) -> None:
-    import matplotlib
+def picture(folder: Path, points: Sequence[Point]) -> None:
+    """A panel a dimension, a colour a degree; adaptive drawn through, uniform dashed, theory's slopes dotted."""
+    dimensions = sorted({point.series.dimension for point in points})
+    with styled():
+        figure, grid = panels(1, len(dimensions), 5.2, 4.4, sharey=True)
+        for axes, dimension in zip(grid[0], dimensions):
+            for series in dict.fromkeys(p.series for p in points if p.series.dimension == dimension):
+                for adaptive in (True, False):
+                    some = [p for p in points if p.series == series and (p.tolerance is not None) == adaptive]
+                    draw_series(axes, series, some, adaptive)
+            axes.set_xlim(right=30 * max(axes.get_xlim()[1] / 10, 1e3))  # room for the words
+            axes.set_xlabel("unknowns")
+            axes.set_title(f"{'in the plane' if dimension == 2 else 'in space'}; dotted: theory's orders")
+            axes.grid(True, which="major", color="#ececec", linewidth=0.6)
+        grid[0, 0].set_ylabel("relative error of the heat flux")
+        Album(folder, small=True).save(figure, "refinement")
 
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
 
-    figure, axes = pyplot.subplots(figsize=(5.2, 3.8), dpi=110)
-    for number, series in enumerate(dict.fromkeys(point.series for point in points)):
-        for adaptive in (True, False):
-            some = [p for p in points if p.series == series and (p.tolerance is not None) == adaptive]
-            label = f"{series.name}: {'adaptive' if adaptive else 'uniform'}, order {order(some):.2f}"
-            data = [p.unknowns for p in some], [p.error for p in some]
-            axes.loglog(*data, "o-" if adaptive else "s--", color=f"C{number}", label=label, markersize=4)
-    axes.set_xlabel("unknowns")
-    axes.set_ylabel("relative error of the heat flux")
-    axes.legend(fontsize=7)
-    figure.tight_layout()
-    figure.savefig(path)
+def draw_series(axes: Any, series: Series, points: Sequence[Point], adaptive: bool) -> None:
+    colour = {1: "#0072B2", 2: "#D55E00"}[series.degree]
+    x, y = np.array([(point.unknowns, point.error) for point in points]).T
+    axes.loglog(x, y, "o-" if adaptive else "s--", color=colour, markersize=5)
+    expected = series.order if adaptive else 0.5 / series.dimension
+    ends = np.array([x[-1] / 16, x[-1]])
+    axes.loglog(ends, 0.8 * y[-1] * (x[-1] / ends) ** expected, ":", color=colour, linewidth=1.4)
+    what = f"degree {series.degree}, {'adaptive' if adaptive else 'uniform'}:\norder {order(points):.2f}"
+    up = 0 if adaptive else 9 if series.degree == 1 else -9
+    said = {"textcoords": "offset points", "va": "center", "color": colour, "fontsize": 9}
+    axes.annotate(what, (x[-1], y[-1]), (8, up), **said)
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -279,7 +291,7 @@ def main(arguments: Sequence[str]) -> int:
             writer = csv.writer(file)
             writer.writerow(["series", "tolerance", "unknowns", "error", "estimate"])
             writer.writerows([p.series.name, p.tolerance, p.unknowns, p.error, p.estimate] for p in points)
-        picture(options.output / "refinement.png", points)
+        picture(options.output, points)
     for fault in found:
         print(f"refinement: {fault}", file=sys.stderr)
     return 1 if found else 0

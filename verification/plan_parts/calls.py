@@ -32,17 +32,6 @@ class Settings:
         found: list[int] = json.loads(self.value("mesh.cells") or "[]")
         return found
 
-    def refined(self, in_space: int, in_time: int) -> "Settings":
-        """Degree 2, so many times the cells (an axis with one cell keeps it) and so many times the steps."""
-        cells = [count * in_space if count > 1 else 1 for count in self.cells]
-        result = self.replaced("mesh.cells", json.dumps(cells)).replaced("space.degree", "2")
-        steps = self.steps * in_time
-        if tolerance := self.value("time.tolerance"):  # errors go with its power 2/3, at order 2
-            return result.replaced("time.tolerance", repr(float(tolerance) / in_time**3))
-        if step := self.value("time.step"):
-            return result.replaced("time.step", f"{float(step) / in_time:.13g}", steps)
-        return result.replaced("time.steps", str(steps), steps)
-
     def at_instants(self, count: int) -> "Settings":
         """With fields at so many equal instants."""
         return self.replaced("output.every", str(self.steps // count))
@@ -50,14 +39,18 @@ class Settings:
 
 @dataclass(frozen=True)
 class Program:
+    """`changed`: KEY=VALUE, of every scene."""
+
     driver: Path
     scenes: Path
+    changed: Sequence[str] = ()
 
     def call(self, command: str, scene: str, *words: str) -> "subprocess.CompletedProcess[str]":
         file = str(self.scenes / f"{scene}.toml")
         environment = {**os.environ, **ENVIRONMENT}
+        sets = [word for setting in self.changed for word in ("--set", setting)]
         return subprocess.run(
-            [str(self.driver), command, file, *words], capture_output=True, text=True, env=environment
+            [str(self.driver), command, file, *sets, *words], capture_output=True, text=True, env=environment
         )
 
     def printed(self, scene: str, folder: Path, *words: str) -> tuple[list[str], dict[str, Any]]:

@@ -21,6 +21,7 @@ from tradeoff_parts.measure import Error, Point, chain
 from tradeoff_parts.plan import EXACT, Configuration, Knob, Plan, as_it_is, knobs
 from tradeoff_parts.prices import below_theory, front, prices
 from tradeoff_parts.runs import Seconds
+from tradeoff_parts.tables import price_line
 from under_test import DRIVER, ROOT
 
 
@@ -128,6 +129,14 @@ class PriceTest(unittest.TestCase):
     def test_errors_near_the_references_own_are_left_out(self) -> None:
         points = [point(h**2, h**-3, value=h) for h in (1.0, 0.5, 0.25, 0.125)]
         self.assertEqual(prices(points, {"mesh": Knob("space")}, {"space": 0.2}), [])
+
+    def test_two_ways_to_one_solution_have_a_price_in_time(self) -> None:
+        ways = Knob("solver", ways=("double", "single"))
+        points = [point(1e-2, seconds, value=value) for seconds, value in ((3.0, 2.0), (4.0, 1.0))]
+        (found,) = prices(points, {"mesh": ways}, {})
+        self.assertEqual((found.factor, found.seconds), (None, (4.0, 3.0)))
+        self.assertIn("single takes 0.75 of the time of double", price_line(found, ways))
+        self.assertEqual(prices(points[:1], {"mesh": ways}, {}), [])
 
 
 class PlanTest(unittest.TestCase):

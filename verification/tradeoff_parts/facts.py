@@ -130,7 +130,6 @@ def absent(facts: Facts) -> list[str]:
         lines.append("exact Coulomb: this driver asks for a regularisation above 0")
     if not facts.coupled:
         lines.append("coupling: the scene has not both momentum and heat")
-    lines.append("precision of the factor: the schema has no key for it")
     return lines
 
 

@@ -20,11 +20,13 @@ NOT_ADAPTIVE = "midpoint"
 
 @dataclass(frozen=True)
 class Knob:
-    """`theory`: orders in `value` of ||w||_L2, ||eps(u)||_L2, ||theta||_L2 for smooth solutions; `why` where it has none."""
+    """`theory`: orders in `value` of ||w||_L2, ||eps(u)||_L2, ||theta||_L2 for smooth solutions; `why` where it has none.
+    `ways`: of one that leads to the same solution either way, by the numbers 1 and 2, what these are."""
 
     source: str | None  # whose error it turns; None: several
     theory: tuple[float, float, float] | None = None
     why: str = ""
+    ways: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,7 @@ MESH_1, MESH_2, GRADED = "mesh, degree 1", "mesh, degree 2", "mesh, degree 2, gr
 DEGREE, EPSILON, EXACT, RULE = "degree", "epsilon", "exact Coulomb", "contact quadrature"
 NEWTON, ITERATED, STRATEGY = "Newton tolerance", "coupling tolerance", "strategy"
 FACTOR = "precision of the factor"
+STRATEGIES, FACTORS = ("condensed", "newton-krylov"), ("double", "single")
 
 
 def knobs(facts: Facts) -> Mapping[str, Knob]:
@@ -79,8 +82,8 @@ def knobs(facts: Facts) -> Mapping[str, Knob]:
         NEWTON: Knob("solver", (1.0, 1.0, 1.0)),
         ITERATED: Knob("coupling", (1.0, 1.0, 1.0)),
         **lagged,
-        STRATEGY: Knob("solver", why="the same solution by another way"),
-        FACTOR: Knob("solver", why="the same solution from half the bytes"),
+        STRATEGY: Knob("solver", why="the same solution by another way", ways=STRATEGIES),
+        FACTOR: Knob("solver", why="the same solution from half the bytes", ways=FACTORS),
         DEFAULT: Knob(None),
         PAPER: Knob(None, why="h, k, epsilon and lagged coupling at once"),
         BARGAIN: Knob(None, why="several knobs at once"),
@@ -268,9 +271,9 @@ class Plan:
         base = self.base()
         for tolerance in (1e-2, 1e-3, 1e-4, 1e-6, 1e-8):
             yield Configuration(NEWTON, tolerance, replace(base, solver=Solver(tolerance, "auto")))
-        for number, strategy in enumerate(("condensed", "newton-krylov")):
+        for number, strategy in enumerate(STRATEGIES):
             yield Configuration(STRATEGY, number + 1.0, replace(base, solver=Solver(TIGHT, strategy)))
-        for number, factor in enumerate(("double", "single")):
+        for number, factor in enumerate(FACTORS):
             choice = replace(base, solver=Solver(TIGHT, "condensed", factor))
             yield Configuration(FACTOR, number + 1.0, choice)
         if self.facts.coupled:

@@ -62,9 +62,21 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float | None:
     return float(np.polyfit(np.log(x), np.log(y), 1)[0])
 
 
+def exchange(name: str, knob: Knob, points: Sequence[Point]) -> Price | None:
+    """Of two ways to one solution: what either leaves of the solver's error, and takes. None where one of them failed."""
+    if len(points) != 2:
+        return None
+    first, second = sorted(points, key=lambda point: point.configuration.value)
+    errors = [own_error(point, knob).largest for point in (first, second)]
+    times = (first.seconds.total, second.seconds.total)
+    return Price(name, 2, (None,) * 3, 0.0, None, errors[0], errors[1], times)
+
+
 def price(name: str, knob: Knob, points: Sequence[Point], own: float) -> Price | None:
     """`own`: the bound of the reference's error of that source. None where less than two of the knob's own errors are
     told from it and from round-off."""
+    if knob.ways:
+        return exchange(name, knob, points)
     least = max(RESOLVED, CLEAR * own)
     usable = [point for point in points if own_error(point, knob).largest > least][-3:]
     if len({point.configuration.value for point in usable}) < 2:

@@ -106,8 +106,15 @@ def write_prices(study: Study, path: Path) -> None:
             table.writerow(["" if value is None else value for value in row])
 
 
+def exchanged(found: Price, ways: Sequence[str]) -> str:
+    """What the second way takes, of the first one's time."""
+    return f"{ways[1]} takes {found.seconds[1] / found.seconds[0]:.2g} of the time of {ways[0]}"
+
+
 def price_line(found: Price, knob: Knob) -> str:
-    if found.factor is None:
+    if knob.ways:
+        cost = exchanged(found, knob.ways)
+    elif found.factor is None:
         cost = "buys no more accuracy"
     else:
         cost = f"a digit more costs a factor {found.factor:.2g}"
@@ -133,6 +140,7 @@ def markdown(study: Study) -> str:
     for found in study.prices:
         knob = study.knobs[found.knob]
         cost = "–" if found.factor is None else f"{found.factor:.2g}"
+        cost = exchanged(found, knob.ways) if knob.ways else cost
         due = "–" if knob.theory is None else listed(knob.theory)
         errors = f"{found.from_error:.1e} to {found.to_error:.1e}"
         lines.append(f"| {found.knob} | {errors} | {cost} | {listed(found.orders)} | {due} |")

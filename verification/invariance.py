@@ -64,6 +64,8 @@ def _bases() -> dict[str, Flat]:
         f"{contact}.friction.heat_share": 0.7,
         "boundary.right.convection.coefficient": 1.5,
         "boundary.right.convection.ambient_temperature": "2 + y - 3*t",
+        "boundary.right.spring.stiffness": [[4.0, 1.0], [1.0, 2.0]],
+        "boundary.right.spring.anchor": ["0.1*t", "0.02*y - 0.05*t*t"],
     }
     exact: Flat = {**belt, f"{contact}.friction.regularisation": 0.0}
     belts = {"belt": belt, "belt, exact friction": exact}

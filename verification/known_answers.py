@@ -14,7 +14,7 @@ import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
-from known_answers_parts import blocks, exact, foundations, hertz, rods, table, warmth
+from known_answers_parts import blocks, exact, foundations, hertz, rods, springs, table, warmth
 from known_answers_parts.driver import SCENES, Driver
 
 BENCHMARKS: dict[str, Callable[[Driver], list[table.Row]]] = {
@@ -29,6 +29,8 @@ BENCHMARKS: dict[str, Callable[[Driver], list[table.Row]]] = {
     "belt-block": foundations.belt_block,
     "disc-torque": foundations.disc_torque,
     "friction-heat": foundations.friction_heat,
+    "oscillator": springs.oscillator,
+    "drawn-block": springs.drawn_block,
     "convection-slab": warmth.convection_slab,
     "cooling-slab": warmth.cooling_slab,
     "stretched-bar": warmth.stretched_bar,

@@ -36,10 +36,16 @@ CONVECTION = (
     *("--set", "boundary.left.convection.coefficient=2"),
     *("--set", "boundary.left.convection.ambient_temperature=5"),
 )
+SPRING = (
+    "impact",
+    *("--set", "boundary.left.spring.stiffness=[[20,5],[5,10]]"),
+    *("--set", 'boundary.left.spring.anchor=["0.2*t", 0.0]'),
+)
 SCENES = {
     "heat_flux": ("heat-only",),
     "coulomb": EXACT_FRICTION,
     "convection": CONVECTION,
+    "spring": SPRING,
 }  # for forms that the usual scene has not
 
 ORDERS = ["--case", "slipping", "--cell", "triangle", "--degree", "1"]  # the case that has all physics
@@ -48,6 +54,7 @@ ORDERS = ["--case", "slipping", "--cell", "triangle", "--degree", "1"]  # the ca
 WITHOUT_ORDERS = {
     "coulomb",
     "convection",
+    "spring",
     "body_force",
     "traction",
     "heat_source",

@@ -126,7 +126,7 @@ def expected(scene: Scene) -> dict[str, float]:
         if mechanical:
             found["s1"] = V.largest(*(sides[name].ds() for name in mechanical)) ** 0.5
             if found.get("m_a", 0.0) > 0:
-                found["r_a"] = against_elasticity(space, prescribed, pieces, mechanical, sides)
+                found["r_a"] = against_elasticity(space, prescribed, pieces, mechanical, sides, scene)
     if scene.heat:
         space = lagrange_space(mesh, scene.degree)
         prescribed = Prescribed(space, scene)
@@ -149,8 +149,9 @@ def against_elasticity(
     pieces: list[Piece],
     contacts: dict[str, Contact],
     sides: dict[str, Side],
+    scene: Scene,
 ) -> float:
-    """r_a: max of int (L_nu + L_tau) |v|^2 / (E eps(v), eps(v))."""
+    """r_a: max of int (L_nu + L_tau) |v|^2 / ((E eps(v), eps(v)) + int k_s v.v)."""
     if not all(np.isfinite(lipschitz(law)) for law in contacts.values()):
         return np.inf
 
@@ -162,6 +163,10 @@ def against_elasticity(
         )
 
     fields = Space(space, prescribed, stored)
+    for name, boundary in scene.boundaries.items():
+        if boundary.spring:
+            k_s = fem.Constant(space.mesh, boundary.spring.stiffness)
+            fields.gram += fields.matrix(ufl.inner(k_s * fields.trial, fields.test) * sides[name].ds())
     weighted = [
         lipschitz(law) * ufl.inner(fields.trial, fields.test) * sides[name].ds()
         for name, law in contacts.items()

@@ -21,7 +21,7 @@ double rounded_up(double value) {
     return std::pow(10.0, std::ceil(std::log10(std::max(value, std::numeric_limits<double>::epsilon()))));
 }
 
-void print_constants(const theory::Constants& constants) {
+void print_constants(const theory::Constants& constants, bool sprung) {
     const auto line = [](const std::optional<double>& value, const char* name, const char* inequality) {
         if (value) {
             std::cout << "  " << name << " = " << std::left << std::setw(12) << short_text(*value)
@@ -35,7 +35,9 @@ void print_constants(const theory::Constants& constants) {
     line(constants.s2, "s2 ", "(2.15) |eta| on Gamma_C <= s2 |grad eta|, eta in Q");
     line(constants.c_k, "c_k", "(2.12) |eps(v)| >= c_k (|v|^2 + |eps(v)|^2)^(1/2), v in V");
     line(constants.c_f, "c_f", "(2.13) |grad eta| >= c_f |eta|, eta in Q");
-    line(constants.r_a, "r_a", "(L_nu + L_tau) |v|^2 on Gamma_C <= r_a (E eps(v), eps(v)), v in V");
+    line(constants.r_a, "r_a",
+         sprung ? "(L_nu + L_tau) |v|^2 on Gamma_C <= r_a ((E eps(v), eps(v)) + int k_s v.v), v in V"
+                : "(L_nu + L_tau) |v|^2 on Gamma_C <= r_a (E eps(v), eps(v)), v in V");
     line(constants.r_d, "r_d", "M_kc |eta|^2 on Gamma_C <= r_d (K grad eta, grad eta), eta in Q");
 }
 
@@ -72,7 +74,7 @@ void print_theory(const scene::Scene& scene) {
     const std::vector<theory::Piece> pieces = theory::pieces_of(scene, mesh);
     const theory::Constants constants = theory::find_constants(scene, pieces, mesh, space);
     const theory::Samples samples = theory::take_samples(scene, pieces, mesh, space);
-    print_constants(constants);
+    print_constants(constants, model::has_spring(scene));
     print_conditions(theory::judge(scene, pieces, constants, samples), samples.times);
 }
 

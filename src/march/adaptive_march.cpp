@@ -105,7 +105,7 @@ bool AdaptiveMarch::change_to(mesh::Forest forest, const Before& before) {
     if (before.snapshot.state.step > 0) {
         const Simulation::Stored now = fresh->stored();
         jump_ = {now.kinetic - before.stored.kinetic, now.strain - before.stored.strain,
-                 now.heat - before.stored.heat};
+                 now.spring - before.stored.spring, now.heat - before.stored.heat};
     }
     simulation_ = std::move(fresh);
     on_ = std::move(next);
@@ -155,6 +155,7 @@ void AdaptiveMarch::annotate(int looks) {
                            {"error_in_space", simulation_->totals().last_error_in_space},
                            {"kinetic_energy_of_remeshing", jump_.kinetic},
                            {"strain_energy_of_remeshing", jump_.strain},
+                           {"spring_energy_of_remeshing", jump_.spring},
                            {"heat_of_remeshing", jump_.heat}});
 }
 

@@ -129,12 +129,16 @@ void Balance::remove_prescribed(std::vector<double>& rhs) {
 }
 
 void Balance::look_for_free_motions(const parallel::NodeNumbers& numbers, int components,
-                                    const FreeMotionWords& words, const std::vector<char>& held) {
+                                    const FreeMotionWords& words, const std::vector<char>& held,
+                                    const model::Springs* springs) {
     std::vector<char> fixed = prescribed_.fixed();
     for (std::size_t i = 0; i < held.size(); ++i) {
         fixed[i] = fixed[i] != 0 || held[i] != 0 ? 1 : 0;
     }
     free_motions_.emplace(*space_, numbers, strategy_->team(), fixed, components);
+    if (springs != nullptr) {
+        free_motions_->hold(*springs);
+    }
     words_ = words;
     contact_.set_step(1.0);  // until use() says otherwise
 }

@@ -58,9 +58,10 @@ class Balance {
 
     /// For a field [nodes][components] that A alone does not hold, for want of inertia or capacity: from now
     /// on require_held() knows, and a step without solution tells, what is free. `held` [dofs] marks what A
-    /// holds all the same (none: empty). Every process must call.
+    /// holds all the same (none: empty), `springs` are in it, too (null: none). Every process must call.
     void look_for_free_motions(const parallel::NodeNumbers& numbers, int components,
-                               const FreeMotionWords& words, const std::vector<char>& held = {});
+                               const FreeMotionWords& words, const std::vector<char>& held = {},
+                               const model::Springs* springs = nullptr);
 
     /// Throws NumericsError where nothing holds the body, with contact as the fields are that it reads. Every
     /// process must call.

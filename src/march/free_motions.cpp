@@ -12,11 +12,13 @@ namespace thermocontact::march {
 /// for a moment.
 void Simulation::look_for_free_motions() {
     if (momentum_ && !scene_->material->density) {
-        momentum_->balance().look_for_free_motions(part_.numbers, scene_->dimension,
-                                                   {"inertia", "displacement", "contact is open",
-                                                    "prescribe it on a boundary (one component may do), add "
-                                                    "material.density, or contact or friction "
-                                                    "that holds it"});
+        momentum_->balance().look_for_free_motions(
+            part_.numbers, scene_->dimension,
+            {"inertia", "displacement", "contact is open",
+             "prescribe it on a boundary (one component may do), add "
+             "material.density, a spring, or contact or friction "
+             "that holds it"},
+            {}, model::has_spring(*scene_) ? &momentum_->springs() : nullptr);
         double farthest = 0;
         for (const double u : state_.displacement) {
             farthest = std::max(farthest, std::abs(u));

@@ -30,11 +30,12 @@ model::FacetTerm contact_term(const mesh::Mesh& mesh, const fem::Space& space, i
     return term;
 }
 
-/// A = rho M / tau + V + tau E.
+/// A = rho M / tau + V + tau (E + K_s).
 fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, double tau,
                                const std::optional<fem::BlockMatrix>& mass,
                                const std::optional<fem::BlockMatrix>& damping,
-                               const std::optional<fem::BlockMatrix>& stiffness) {
+                               const std::optional<fem::BlockMatrix>& stiffness,
+                               const model::Springs& springs) {
     fem::BlockMatrix matrix = fem::zero_matrix(graph, dimension, dimension);
     if (mass) {
         matrix.add(1 / tau, *mass);
@@ -45,6 +46,7 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, doubl
     if (stiffness) {
         matrix.add(tau, *stiffness);
     }
+    springs.add_to(tau, matrix);
     return matrix;
 }
 
@@ -69,6 +71,7 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
       density_(model::uniform_density(scene)),
       loads_(
           parallel::together(*team_, [&] { return model::Loads::mechanical(scene, mesh, space, sources); })),
+      springs_(scene, mesh, space),
       stage_velocity_(initial.velocity),
       base_displacement_(initial.displacement),
       stage_displacement_(initial.displacement) {
@@ -88,7 +91,7 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
     balance_ = std::make_unique<Balance>(
         "momentum", scene.solver,
         [&graph, this](double tau) {
-            return system_matrix(graph, dimension_, tau, mass_, damping_, stiffness_);
+            return system_matrix(graph, dimension_, tau, mass_, damping_, stiffness_, springs_);
         },
         model::Prescribed::displacement(scene, mesh, space),
         model::nodes_with(surfaces, space, &scene::Contact::compliance),
@@ -98,6 +101,7 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
         nodal->resize(stage_velocity_.size());
     }
     rhs_.resize(stage_velocity_.size());
+    spring_.resize(springs_.empty() ? 0 : stage_velocity_.size());
     restart(initial);
 }
 
@@ -133,6 +137,7 @@ void Momentum::begin(const StepRule& rule, const State& state) {
     model::set_multipliers(*surfaces_, *mesh_, state.friction_multiplier);  // not those of a step that failed
     balance_->use(rule.tau);
     load_ = parallel::together(*team_, [&] { return &loads_.at(rule.stage_time()); });
+    parallel::together(*team_, [&] { springs_.move(rule.begin, rule.stage_time(), rule.end); });
     extrapolate(rule.memory(), state.displacement, state.displacement_rate, base_displacement_);
     if (rule.memory() != 0) {
         extrapolate(rule.memory(), state.velocity, state.velocity_rate, base_velocity_);
@@ -155,6 +160,7 @@ SolveReport Momentum::solve(const std::vector<double>& temperature) {
     product(coupling_, temperature, thermal_);
     as_eigen(rhs_) = as_eigen(*load_) + as_eigen(base().mass_w) / rule_.tau - as_eigen(base().stiffness_u) +
                      as_eigen(std::as_const(thermal_));
+    springs_.add_forces(-1, base_displacement_, rhs_);
     const SolveReport report = balance_->solve(rhs_);
     for (std::size_t i = 0; i < stage_displacement_.size(); ++i) {
         if (balance_->prescribed().fixed()[i] == 0) {
@@ -238,16 +244,21 @@ MomentumForces Momentum::collect_forces() {
         const double mass_change = now_.mass_w[i] - old_.mass_w[i];
         inertia_[i] = (rule_.alpha * mass_change - (base_mass_w[i] - old_.mass_w[i])) / rule_.tau;
     }
+    if (!springs_.empty()) {
+        std::ranges::fill(spring_, 0.0);
+        springs_.add_forces(1, stage_displacement_, spring_);
+    }
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
         const double elastic =
             old_.stiffness_u[i] + rule_.alpha * (now_.stiffness_u[i] - old_.stiffness_u[i]);
         reaction_[i] =
             inertia_[i] + viscous_[i] + elastic - thermal_[i] + compliance_[i] + friction_[i] - (*load_)[i];
+        reaction_[i] += springs_.empty() ? 0.0 : spring_[i];
     }
     const auto view = [](const std::vector<double>& v) { return as_eigen(v); };
-    return {view(inertia_),  view(viscous_), view(thermal_), view(compliance_),
-            view(friction_), view(*load_),   view(reaction_)};
+    return {view(inertia_),  view(viscous_), view(thermal_),  view(compliance_),
+            view(friction_), view(*load_),   view(reaction_), view(spring_)};
 }
 
 Energies Momentum::energies(const State& old) const {
@@ -256,9 +267,7 @@ Energies Momentum::energies(const State& old) const {
     for (std::size_t i = 0; i < stage_velocity_.size(); ++i) {
         const double mass_change = now_.mass_w[i] - old_.mass_w[i],
                      stiffness_change = now_.stiffness_u[i] - old_.stiffness_u[i];
-        // of a body that has moved far, u_n - u_{n-1} would have fewer digits
-        const double motion =
-            (rule_.tau * stage_velocity_[i] + (base_displacement_[i] - old.displacement[i])) / rule_.alpha;
+        const double motion = motion_of(i, old);
         sums.kinetic_old += old.velocity[i] * old_.mass_w[i];
         sums.kinetic += new_velocity_[i] * now_.mass_w[i];
         sums.kinetic_numerical +=
@@ -273,7 +282,20 @@ Energies Momentum::energies(const State& old) const {
                                   &Energies::strain_old, &Energies::strain, &Energies::strain_numerical}) {
         sums.*sum /= 2;
     }
+    const model::Springs::Work work =
+        springs_.work({old.displacement, stage_displacement_, new_displacement_,
+                       [&](std::size_t i) { return motion_of(i, old); },
+                       [&](std::size_t i) { return rule_.step * stage_velocity_[i]; }});
+    sums.spring_old = work.old;
+    sums.spring = work.now;
+    sums.spring_numerical = work.numerical;
+    sums.anchors = work.of_anchors;
     return team_->summed(sums);
+}
+
+/// u_n - u_(n-1); of a body that has moved far, the difference would have fewer digits.
+double Momentum::motion_of(std::size_t i, const State& old) const {
+    return (rule_.tau * stage_velocity_[i] + (base_displacement_[i] - old.displacement[i])) / rule_.alpha;
 }
 
 void Momentum::audit(const State& old) {
@@ -315,6 +337,11 @@ double Momentum::kinetic_energy(const State& state) const {
 
 double Momentum::strain_energy(const State& state) const {
     return stiffness_ ? std::pow(elastic_norm(state.displacement), 2) / 2 : 0.0;
+}
+
+double Momentum::spring_energy(const State& state) const {
+    return team_->sum(
+        parallel::together(*team_, [&] { return springs_.energy(state.displacement, state.time); }));
 }
 
 double Momentum::norm(const fem::BlockMatrix& gram, const std::vector<double>& v) const {

@@ -1,7 +1,9 @@
 /// The momentum balance of one step (MODEL.md, 3): find w_n with
 ///
 ///   rho (w_n - w_{n-1}, v)/k + (V eps(w_n), eps(v)) + (E eps(u_n), eps(v)) - (theta_{n-1} M, eps(v))
-///     + contact(u_n, w_n; v) = (f0, v) + (f1, v)_N,      u_n = u_{n-1} + k w_n.
+///     + contact(u_n, w_n; v) + (k_s (u_n - u_s), v)_S = (f0, v) + (f1, v)_N,      u_n = u_{n-1} + k w_n,
+///
+/// S the sides that springs hold (model/springs.h).
 ///
 /// That is backward Euler; in the other schemes w_n, u_n are the values at the stage, w_{n-1}, u_{n-1} are
 /// w_hat, u_hat, and k is tau (step_rule.h).
@@ -15,6 +17,7 @@
 #include "march/step_error.h"
 #include "march/step_rule.h"
 #include "model/loads.h"
+#include "model/springs.h"
 #include "parallel/team.h"
 
 namespace thermocontact::march {
@@ -70,6 +73,9 @@ class Momentum {
     /// Energies of a state, J.
     double kinetic_energy(const State& state) const;
     double strain_energy(const State& state) const;
+    double spring_energy(const State& state) const;
+
+    const model::Springs& springs() const { return springs_; }
 
     Balance& balance() { return *balance_; }
     const Balance& balance() const { return *balance_; }
@@ -90,6 +96,7 @@ class Momentum {
     const Products& base() const { return rule_.memory() == 0 ? old_ : base_; }
     MomentumForces collect_forces();
     Energies energies(const State& old) const;
+    double motion_of(std::size_t i, const State& old) const;
     void audit(const State& old);
     bool rates_matter() const;
     /// (E eps(u), eps(u))^(1/2).
@@ -105,6 +112,7 @@ class Momentum {
     fem::BlockMatrix strain_gram_;
     std::optional<fem::BlockMatrix> velocity_gram_;  ///< without uniform density
     model::Loads loads_;
+    model::Springs springs_;
 
     // of the step at hand
     StepRule rule_{};
@@ -117,6 +125,7 @@ class Momentum {
     std::vector<double> rhs_, deformation_;  ///< the latter: displacement less its mean
     std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< at the stage
     std::vector<double> thermal_;  ///< (theta M, eps(v)), assembled
+    std::vector<double> spring_;   ///< at the stage; empty without springs
     double strain_square_ = 0;     ///< of the new state, |eps(u)|^2, of this process
 
     MomentumAudit audit_;

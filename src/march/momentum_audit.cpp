@@ -38,15 +38,28 @@ MomentumSums sum_over_nodes(const MomentumForces& forces, const double* velocity
             }
         }
     }
-    return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6], 0.0};
+    return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6], {}, 0.0};
+}
+
+/// Of springs, which few scenes have: `force` is empty without.
+ForceSums sum_of(const ConstVectorMap& force, const ConstVectorMap& velocity, int components) {
+    ForceSums sum;
+    for (Eigen::Index i = 0; i < force.size(); ++i) {
+        sum.power += force[i] * velocity[i];
+        sum.magnitude += std::abs(force[i]);
+        sum.resultant[static_cast<std::size_t>(i % components)] += force[i];
+    }
+    return sum;
 }
 
 }  // namespace
 
 MomentumSums sum_up(const MomentumForces& forces, const ConstVectorMap& velocity, int components) {
     const auto nodes = velocity.size() / components;
-    return components == 2 ? sum_over_nodes<2>(forces, velocity.data(), nodes)
-                           : sum_over_nodes<3>(forces, velocity.data(), nodes);
+    MomentumSums sums = components == 2 ? sum_over_nodes<2>(forces, velocity.data(), nodes)
+                                        : sum_over_nodes<3>(forces, velocity.data(), nodes);
+    sums.spring = sum_of(forces.spring, velocity, components);
+    return sums;
 }
 
 void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums& of_forces) {
@@ -59,11 +72,14 @@ void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums
     energies.kinetic = of_step.kinetic;
     energies.strain = of_step.strain;
     energies.kinetic_numerical += of_step.kinetic_numerical;
+    energies.spring = of_step.spring;
     energies.strain_numerical += of_step.strain_numerical;
+    energies.spring_numerical += of_step.spring_numerical;
+    energies.anchors += of_step.anchors;
     const double before = duration / (duration + step), now = step / (duration + step);
     for (ForceSums MomentumSums::*force :
          {&MomentumSums::inertia, &MomentumSums::viscous, &MomentumSums::thermal, &MomentumSums::compliance,
-          &MomentumSums::friction, &MomentumSums::load, &MomentumSums::reaction}) {
+          &MomentumSums::friction, &MomentumSums::load, &MomentumSums::reaction, &MomentumSums::spring}) {
         ForceSums& mean = sums.*force;
         const ForceSums& last = of_forces.*force;
         mean.power = before * mean.power + now * last.power;
@@ -81,16 +97,20 @@ Audit audit_energy(const Energies& energies, const MomentumSums& sums, double st
     const double foundation_work = step * sums.foundation_power;
     const Record left{{"kinetic_energy", energies.kinetic},
                       {"strain_energy", energies.strain},
+                      {"spring_energy", energies.spring},
                       {"kinetic_numerical_dissipation", energies.kinetic_numerical},
                       {"strain_numerical_dissipation", energies.strain_numerical},
+                      {"spring_numerical_dissipation", energies.spring_numerical},
                       {"viscous_dissipation", work(sums.viscous)},
                       {"compliance_work", work(sums.compliance)},
                       {"friction_dissipation", work(sums.friction) + foundation_work}};
     const Record right{{"load_work", work(sums.load)},
                        {"thermal_work", work(sums.thermal)},
                        {"reaction_work", work(sums.reaction)},
-                       {"foundation_work", foundation_work}};
-    Audit audit{left, relative_difference(left, right, -energies.kinetic_old - energies.strain_old)};
+                       {"foundation_work", foundation_work},
+                       {"anchor_work", energies.anchors}};
+    const double stored_before = energies.kinetic_old + energies.strain_old + energies.spring_old;
+    Audit audit{left, relative_difference(left, right, -stored_before)};
     audit.terms.insert(audit.terms.end(), right.begin(), right.end());
     return audit;
 }
@@ -99,16 +119,17 @@ Audit audit_forces(const MomentumSums& sums, int components) {
     Audit audit{{}, 0.0};
     // the magnitude of what is summed: loads that balance each other still count
     const double scale = sums.inertia.magnitude + sums.compliance.magnitude + sums.friction.magnitude +
-                         sums.load.magnitude + sums.reaction.magnitude;
+                         sums.load.magnitude + sums.reaction.magnitude + sums.spring.magnitude;
     double difference = 0;
     for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
         const std::string axis(1, "xyz"[c]);
         const double inertia = sums.inertia.resultant[c], load = sums.load.resultant[c],
                      contact = sums.compliance.resultant[c] + sums.friction.resultant[c],
-                     reaction = sums.reaction.resultant[c];
-        difference += std::abs(inertia + contact - load - reaction);
+                     reaction = sums.reaction.resultant[c], spring = sums.spring.resultant[c];
+        difference += std::abs(inertia + contact + spring - load - reaction);
         audit.terms.insert(audit.terms.end(), {{"inertia_force_" + axis, inertia},
                                                {"contact_force_" + axis, contact},
+                                               {"spring_force_" + axis, spring},
                                                {"load_force_" + axis, load},
                                                {"reaction_force_" + axis, reaction}});
     }

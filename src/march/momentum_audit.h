@@ -9,10 +9,11 @@
 namespace thermocontact::march {
 
 /// Nodal forces of the discrete balance [nodes][components]:
-/// inertia + viscous + elastic - thermal + compliance + friction - load = reaction (on prescribed dofs, else
-/// 0); the elastic force enters the audits through its energy.
+/// inertia + viscous + elastic - thermal + compliance + friction + spring - load = reaction (on prescribed
+/// dofs, else 0); elastic and spring force enter the energy audit through their energies. `spring` is empty
+/// without springs.
 struct MomentumForces {
-    ConstVectorMap inertia, viscous, thermal, compliance, friction, load, reaction;
+    ConstVectorMap inertia, viscous, thermal, compliance, friction, load, reaction, spring;
 };
 
 /// One force summed over the nodes.
@@ -23,7 +24,7 @@ struct ForceSums {
 };
 
 struct MomentumSums {
-    ForceSums inertia, viscous, thermal, compliance, friction, load, reaction;
+    ForceSums inertia, viscous, thermal, compliance, friction, load, reaction, spring;
     double foundation_power = 0;  ///< of sigma_t with v_F, W: what moving foundations do on the body
 };
 
@@ -34,6 +35,8 @@ MomentumSums sum_up(const MomentumForces& forces, const ConstVectorMap& velocity
 struct Energies {
     double kinetic_old = 0, kinetic = 0, kinetic_numerical = 0;
     double strain_old = 0, strain = 0, strain_numerical = 0;
+    double spring_old = 0, spring = 0, spring_numerical = 0;
+    double anchors = 0;  ///< work of those who move the springs' far ends (model/springs.h)
 };
 
 /// Named terms, and their sum relative to their magnitudes.
@@ -43,7 +46,9 @@ struct Audit {
 };
 
 /// KE_n - KE_{n-1} + D(M, w) + SE_n - SE_{n-1} + D(E, u) + viscous + compliance + friction
-///   = loads + thermal + reactions + foundations, each as work over the step; powers are those at the stage.
+///   + what springs store and the scheme dissipates of it
+///   = loads + thermal + reactions + foundations + anchors, each as work over the step; powers are those at
+///   the stage.
 ///
 /// Friction dissipates -sigma_t.(w - v_F): its power with w and what the foundation does, sigma_t.v_F.
 ///
@@ -57,7 +62,8 @@ struct Audit {
 /// part, an exchange with the energy in the scheme's memory, has either sign in a single step.
 Audit audit_energy(const Energies& energies, const MomentumSums& sums, double step);
 
-/// Per component: inertia + contact = loads + reactions; relative to the nodal magnitudes of these forces.
+/// Per component: inertia + contact + springs = loads + reactions; relative to the nodal magnitudes of these
+/// forces.
 Audit audit_forces(const MomentumSums& sums, int components);
 
 /// What the steps since the last row of the history have added up to.

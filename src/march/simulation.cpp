@@ -329,6 +329,7 @@ Simulation::Stored Simulation::stored() const {
     if (momentum_) {
         stored.kinetic = momentum_->kinetic_energy(state_);
         stored.strain = momentum_->strain_energy(state_);
+        stored.spring = momentum_->spring_energy(state_);
     }
     if (heat_) {
         stored.heat = heat_->content(state_);

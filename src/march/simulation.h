@@ -73,8 +73,8 @@ class Simulation {
 
     /// What the fields hold: rows of a history on two meshes differ by it.
     struct Stored {
-        double kinetic = 0, strain = 0;  ///< energies, J
-        double heat = 0;                 ///< J
+        double kinetic = 0, strain = 0, spring = 0;  ///< energies, J
+        double heat = 0;                             ///< J
     };
     Stored stored() const;
 

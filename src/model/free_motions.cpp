@@ -114,11 +114,11 @@ void FreeMotions::hold(const std::vector<char>& fixed) {
     }
 }
 
-FreeMotions::Quotients FreeMotions::quotients(FacetTerm& contact, std::size_t law) const {
+FreeMotions::Quotients FreeMotions::quotients(const Pieces& pieces) const {
     const Eigen::Index k = rigid_motion_count(components_), numbers = k * k + 1;
     std::vector<double> sums(static_cast<std::size_t>(numbers) * bodies_.count + 1, 0.0);
     double largest[2] = {0, 0};  // |x| over the size of a facet's cell, and |D|
-    contact.visit_derivative_of(law, [&](std::span<const std::int32_t> dofs, std::span<const double> values) {
+    pieces([&](std::span<const std::int32_t> dofs, std::span<const double> values) {
         const auto n = static_cast<Eigen::Index>(dofs.size());
         const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> D(
             values.data(), n, n);
@@ -155,6 +155,19 @@ FreeMotions::Quotients FreeMotions::quotients(FacetTerm& contact, std::size_t la
     return result;
 }
 
+/// Only what these do not resist either.
+void FreeMotions::leave(const Quotients& quotients, std::vector<Body>& bodies) {
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+        Eigen::MatrixXd& basis = bodies[body].basis;
+        basis = null_vectors(basis, basis.transpose() * quotients.matrices[body] * basis,
+                             quotients.scales[body], round_off(quotients.count, quotients.farness));
+    }
+}
+
+void FreeMotions::hold(const Springs& springs) {
+    leave(quotients([&](const Springs::Piece& visit) { springs.visit_stiffness(visit); }), free_);
+}
+
 std::optional<FreeMotions::Found> FreeMotions::left_by(FacetTerm& contact) const {
     std::vector<Body> left = free_;
     const auto any_left = [&] {
@@ -162,13 +175,10 @@ std::optional<FreeMotions::Found> FreeMotions::left_by(FacetTerm& contact) const
     };
     bool acts = false;
     for (std::size_t law = 0; law < contact.law_count() && any_left(); ++law) {
-        const Quotients of_law = quotients(contact, law);
+        const Quotients of_law =
+            quotients([&](const Springs::Piece& visit) { contact.visit_derivative_of(law, visit); });
         acts = acts || of_law.acts;
-        for (std::size_t body = 0; body < left.size(); ++body) {
-            Eigen::MatrixXd& basis = left[body].basis;
-            basis = null_vectors(basis, basis.transpose() * of_law.matrices[body] * basis,
-                                 of_law.scales[body], round_off(of_law.count, of_law.farness));
-        }
+        leave(of_law, left);
     }
     return any_left() ? std::optional(Found{in_words(left), acts}) : std::nullopt;
 }

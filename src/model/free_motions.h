@@ -1,6 +1,6 @@
 /// What nothing holds of a body without inertia: the rigid motions that neither prescribed displacements nor
-/// closed contact resist. Strain does not, and the system is singular. The same of temperatures without
-/// capacity: a uniform change.
+/// springs nor closed contact resist. Strain does not, and the system is singular. The same of temperatures
+/// without capacity: a uniform change.
 ///
 /// With R a basis of the motions that vanish at all fixed dofs, and D the derivative of a contact law, those
 /// that the law does not resist are the null vectors of R^T D R: 3 x 3 in the plane, 6 x 6 in space, for each
@@ -15,6 +15,7 @@
 
 #include "model/bodies.h"
 #include "model/facet_term.h"
+#include "model/springs.h"
 
 namespace thermocontact::model {
 
@@ -24,6 +25,9 @@ class FreeMotions {
     /// Keeps references to the first three. Every process must call, here and below.
     FreeMotions(const fem::Space& space, const parallel::NodeNumbers& numbers, const parallel::Team& team,
                 const std::vector<char>& fixed, int components);
+
+    /// Leaves only the motions that springs do not resist. Every process must call.
+    void hold(const Springs& springs);
 
     struct Found {
         std::string motions;  ///< "the body is free to move along x and to turn about (0, 1)"
@@ -44,7 +48,10 @@ class FreeMotions {
 
     void hold(const std::vector<char>& fixed);
     Eigen::MatrixXd motions_at(std::int32_t node) const;
-    Quotients quotients(FacetTerm& contact, std::size_t law) const;
+    /// Calls its argument with each piece of D.
+    using Pieces = std::function<void(const Springs::Piece& visit)>;
+    Quotients quotients(const Pieces& pieces) const;
+    static void leave(const Quotients& quotients, std::vector<Body>& bodies);
     std::string in_words(const std::vector<Body>& bodies) const;
 
     const fem::Space* space_;

@@ -35,6 +35,10 @@ bool has_convection(const scene::Scene& scene) {
     return any_boundary(scene, [](const scene::Boundary& b) { return b.convection.has_value(); });
 }
 
+bool has_spring(const scene::Scene& scene) {
+    return any_boundary(scene, [](const scene::Boundary& b) { return b.spring.has_value(); });
+}
+
 bool has_friction_heat(const scene::Scene& scene) {
     return any_contact(scene, [](const scene::Contact& contact) {
         return contact.friction && contact.friction->heat_share > 0;
@@ -56,6 +60,7 @@ std::vector<std::string> physics_of(const scene::Scene& scene) {
     add(heat && heat->thermal_stress, "thermal_stress");
     add(!scene.body_force.empty(), "body_force");
     add(any_boundary(scene, [](const scene::Boundary& b) { return !b.traction.empty(); }), "traction");
+    add(has_spring(scene), "spring");
     add(has_compliance(scene), "compliance");
     add(has_friction(scene), "friction");
     add(any_contact(scene, [](const scene::Contact& c) { return !c.foundation_velocity.empty(); }),

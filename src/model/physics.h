@@ -33,6 +33,7 @@ bool has_compliance(const scene::Scene& scene);
 bool has_friction(const scene::Scene& scene);
 bool has_conductance(const scene::Scene& scene);
 bool has_convection(const scene::Scene& scene);
+bool has_spring(const scene::Scene& scene);
 bool has_friction_heat(const scene::Scene& scene);
 
 }  // namespace thermocontact::model

@@ -39,8 +39,10 @@ Quantities energy_columns() {
         {"displacement_strain_l2", "m^(3/2)", "Norm of the strain of the displacement, eps(u), in L2."},
         {"kinetic_energy", "J", "rho/2 |w|^2 at the end of the step."},
         {"strain_energy", "J", "1/2 (E eps(u), eps(u)) at the end of the step."},
+        {"spring_energy", "J", "1/2 (k_s (u - u_s), u - u_s) at the end of the step; 0 without springs."},
         {"kinetic_numerical_dissipation", "J", "Kinetic energy that the time scheme dissipates by itself in the step."},
         {"strain_numerical_dissipation", "J", "Strain energy that the time scheme dissipates by itself in the step."},
+        {"spring_numerical_dissipation", "J", "Energy of springs that the time scheme dissipates by itself in the step."},
         {"viscous_dissipation", "J", "k (V eps(w), eps(w)): what viscosity dissipates in the step; never negative."},
         {"compliance_work", "J", "Work done against the contact pressure in the step."},
         {"friction_dissipation", "J", "What friction dissipates in the step; never negative."},
@@ -48,6 +50,7 @@ Quantities energy_columns() {
         {"thermal_work", "J", "Work of the thermal stress in the step."},
         {"reaction_work", "J", "Work of the reactions where the displacement is prescribed; 0 where that does not move."},
         {"foundation_work", "J", "Work that a foundation that moves does by friction in the step; 0 where none moves."},
+        {"anchor_work", "J", "Work done in the step by moving the far ends of springs."},
         {"energy_residual", "", "What is lacking in the balance of these energies, over the sum of their magnitudes."},
     };
 }
@@ -60,12 +63,13 @@ Quantities force_columns() {
             {std::string("inertia_force_") + axis, "N", "Rate of the momentum, mean over the step" + of},
             {std::string("contact_force_") + axis, "N",
              "Force of the body on the foundation, normal and tangential" + of},
+            {std::string("spring_force_") + axis, "N", "Force of the body on springs" + of},
             {std::string("load_force_") + axis, "N", "Resultant of body forces and tractions" + of},
             {std::string("reaction_force_") + axis, "N", "Reaction where the displacement is prescribed" + of},
         });
     }
     append(columns, {{"force_residual", "",
-                      "What is lacking in inertia + contact = load + reaction, over the nodal magnitudes of these forces."}});
+                      "What is lacking in inertia + contact + spring = load + reaction, over the nodal magnitudes of these forces."}});
     return columns;
 }
 
@@ -100,6 +104,7 @@ Quantities mesh_columns() {
         {"error_in_space", "", "The last estimate of the error in space, relative."},
         {"kinetic_energy_of_remeshing", "J", "Kinetic energy that carrying the fields to the step's mesh added."},
         {"strain_energy_of_remeshing", "J", "Strain energy likewise."},
+        {"spring_energy_of_remeshing", "J", "Energy of springs likewise."},
         {"heat_of_remeshing", "J", "Heat likewise."},
     };
 }

@@ -33,6 +33,9 @@ Condition condition_of(const scene::Scene& scene, const std::string& side) {
     if (held > 0) {
         result.mechanical = held == scene.dimension ? "held" : "guided";
     }
+    if (boundary.spring) {
+        result.mechanical += ", sprung";
+    }
     if (boundary.temperature) {
         result.thermal = "held";
     }

@@ -259,11 +259,21 @@ std::optional<Convection> read_convection(const Settings& s, const std::string& 
     return Convection{number(s, at + ".coefficient"), to_expression(s, s.value(at + ".ambient_temperature"))};
 }
 
+std::optional<Spring> read_spring(const Settings& s, const std::string& at) {
+    std::optional<SymmetricTensor> stiffness;
+    read_tensor(s, at + ".stiffness", stiffness);
+    return stiffness ? std::optional(Spring{*stiffness, expressions(s, at + ".anchor")}) : std::nullopt;
+}
+
 Boundary read_boundary(const Settings& s, const std::string& name) {
     const std::string at = "boundary." + name;
-    return {free_expressions(s, at + ".displacement"),   expressions(s, at + ".traction"),
-            optional_expression(s, at + ".temperature"), optional_expression(s, at + ".heat_flux"),
-            read_convection(s, at + ".convection"),      read_contact(s, at + ".contact")};
+    return {free_expressions(s, at + ".displacement"),
+            expressions(s, at + ".traction"),
+            read_spring(s, at + ".spring"),
+            optional_expression(s, at + ".temperature"),
+            optional_expression(s, at + ".heat_flux"),
+            read_convection(s, at + ".convection"),
+            read_contact(s, at + ".contact")};
 }
 
 std::vector<std::string> names_in_force(const Settings& s, const std::string& prefix) {

@@ -231,6 +231,10 @@ void check_boundary(const Settings& settings, const std::string& boundary) {
         fail_pair(settings, at + "displacement", at + "traction",
                   "the " + component + " component is both prescribed and loaded; make it \"free\" or 0");
     }
+    if (settings.written(at + "spring") && is_fully_prescribed(settings, at + "displacement")) {
+        fail_pair(settings, at + "displacement", at + "spring",
+                  "every displacement component is prescribed; make one \"free\"");
+    }
     if (settings.written(at + "contact.compliance") && is_fully_prescribed(settings, at + "displacement")) {
         fail_pair(settings, at + "displacement", at + "contact.compliance",
                   "every displacement component is prescribed; make one \"free\"");

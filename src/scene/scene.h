@@ -134,10 +134,17 @@ struct Convection {
     Expression ambient_temperature;  ///< theta_a, K
 };
 
+/// An elastic support, sigma n = -k_s (u - u_s).
+struct Spring {
+    SymmetricTensor stiffness;       ///< k_s, N/m^3
+    std::vector<Expression> anchor;  ///< [d] u_s, m; size 0: fixed
+};
+
 struct Boundary {
     std::vector<std::optional<Expression>>
         displacement;                       ///< [d] m, empty component: free; size 0: not prescribed
     std::vector<Expression> traction;       ///< [d] Pa; size 0: none
+    std::optional<Spring> spring;
     std::optional<Expression> temperature;  ///< K
     std::optional<Expression> heat_flux;    ///< W/m^2 into the body
     std::optional<Convection> convection;

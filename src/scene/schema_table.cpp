@@ -199,6 +199,14 @@ std::vector<Key> prescribed_keys() {
          .description = "Prescribed displacement; a component may be left \"free\"."},
         {.name = "boundary.NAME.traction", .type = Type::expressions, .unit = "Pa", .needs = {"material"},
          .example = R"toml([1.4, "0.4*cos(pi*t)"])toml", .description = "Force per area on the boundary."},
+        {.name = "boundary.NAME.spring.stiffness", .type = Type::semidefinite_tensor, .unit = "N/m^3", .required = true,
+         .needs = {"material"}, .example = "[[50.0, 0.0], [0.0, 200.0]]",
+         .description = "k_s in the traction -k_s (u - u_s) of springs that hold the boundary, per area; a number means "
+         "the same in all directions, a matrix acts on the components."},
+        {.name = "boundary.NAME.spring.anchor", .type = Type::expressions, .unit = "m",
+         .needs = {"material"}, .example = R"(["0.1*t", 0.0])",
+         .description = "Displacement u_s of the springs' far ends from where they are at rest with the undeformed body; "
+         "the springs follow it. Absent: fixed."},
         {.name = "boundary.NAME.temperature", .type = Type::expression, .unit = "K",
          .excludes = {"boundary.NAME.heat_flux", "boundary.NAME.convection", "boundary.NAME.contact.conductance"},
          .needs = {"heat"},

@@ -7,6 +7,7 @@
 #include "model/loads.h"
 #include "model/nodal.h"
 #include "model/physics.h"
+#include "model/springs.h"
 #include "theory/energy_space.h"
 #include "theory/law_bounds.h"
 #include "theory/rigid_motions.h"
@@ -95,7 +96,12 @@ void find_mechanical(const scene::Scene& scene, const std::vector<Piece>& pieces
                                       [](const LawBounds& bounds) { return bounds.L_nu + bounds.L_tau; });
         constants.s1 = std::sqrt(noted(norms.largest_trace("velocity_trace", laws.facets, V), constants));
         if (elasticity_elliptic(pieces, scene.dimension) && !bounds_of_laws(scene).own_contact) {
-            EnergySpace stored(norms.operator_of(scene, "elasticity.stiffness"), prescribed.fixed(), held);
+            const model::Springs springs(scene, norms.mesh, norms.space);
+            fem::BlockMatrix operators = norms.operator_of(scene, "elasticity.stiffness");
+            springs.add_to(1.0, operators);
+            const bool sprung =
+                held || held_rigidly(norms.space, prescribed.fixed(), scene.dimension, &springs);
+            EnergySpace stored(std::move(operators), prescribed.fixed(), sprung);
             constants.r_a = weighted_quotient(norms, "velocity_trace", laws, std::move(stored), constants);
         }
     }

@@ -25,8 +25,8 @@ struct Constants {
     std::optional<double> c_f;  ///< ||grad eta|| >= c_f ||eta||, 1/m; with heat
     std::optional<double> s1;   ///< ||v||_L2(Gamma_C) <= s1 ||eps(v)||, m^(1/2); with compliance
     std::optional<double> s2;   ///< ||eta||_L2(Gamma_C) <= s2 ||grad eta||, m^(1/2); with conductance
-    std::optional<double>
-        r_a;  ///< int_Gamma_C (L_nu + L_tau) |v|^2 <= r_a (E eps(v), eps(v)); as s1, if (H2 i)
+    std::optional<double> r_a;  ///< int_Gamma_C (L_nu + L_tau) |v|^2 <= r_a ((E eps(v), eps(v)) + int k_s
+                                ///< v.v); as s1, if (H2 i)
     std::optional<double> r_d;  ///< int_Gamma_C M_kc eta^2 <= r_d (K grad eta, grad eta); as s2, if (H3 ii)
     double relative_error = 0;  ///< at most, of those that are neither 0 nor infinite
 };

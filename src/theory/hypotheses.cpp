@@ -58,6 +58,11 @@ class Judge {
             values_vanish("(2.7)", "temperature prescribed as 0", "max |theta_D|",
                           samples_.prescribed_temperature);
         }
+        if (model::has_spring(scene_)) {
+            add("(2.6)", false,
+                "tractions prescribed (springs hold sides: k_s u adds to the operator of (H2), monotone "
+                "and Lipschitz, and to r_a)");
+        }
     }
 
     template <typename Body>
@@ -158,6 +163,7 @@ class Judge {
         const std::vector<std::pair<const char*, const Range*>> kinds{
             {"max |f0|", &samples_.body_force},
             {"max |f1|", &samples_.traction},
+            {"max |u_s|", &samples_.anchor},
             {"max |q0|", &samples_.heat_source},
             {"max |heat flux|", &samples_.heat_flux}};
         bool finite = true;

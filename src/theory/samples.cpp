@@ -89,6 +89,9 @@ void sample_clamp(const scene::Scene& scene, const scene::Boundary& boundary, co
 void sample_boundary(const scene::Boundary& boundary, const Nodes& nodes, const Sampler& sampler,
                      Samples& samples) {
     sampler.take(boundary.traction, nodes, samples.traction);
+    if (boundary.spring) {
+        sampler.take(boundary.spring->anchor, nodes, samples.anchor);
+    }
     if (boundary.temperature) {
         sampler.take(*boundary.temperature, nodes, samples.prescribed_temperature);
     }

@@ -27,6 +27,7 @@ struct Samples {
     int times = 0;                 ///< at most so many instants of the run, the first and last among them
     Range body_force;              ///< f0, all components, N/m^3
     Range traction;                ///< f1, Pa
+    Range anchor;                  ///< u_s of springs, m
     Range heat_source;             ///< q0, W/m^3
     Range heat_flux;               ///< W/m^2
     Range gap;                     ///< g, m

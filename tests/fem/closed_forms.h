@@ -217,6 +217,14 @@ inline std::map<std::string, ClosedForm> closed_forms() {
     forms["norms.temperature_trace"] = {Domain::facet, on_cell([](At at) { return scalar_mass(at, 1.0); })};
     forms["heat_flux.load"] = {Domain::facet, on_cell([](At at) { return scalar_load(at, at.theta); })};
 
+    forms["spring.stiffness"] = {Domain::facet, on_cell([](At at) {
+                                     const auto shapes = vector_shapes(at);
+                                     return outer(shapes, shapes, [&](const auto& v, const auto& u) {
+                                         const double k_s =
+                                             at.constants.at("k_s")[2 * v.component + u.component];
+                                         return v.value * u.value * k_s;
+                                     });
+                                 })};
     forms["convection.exchange"] = {Domain::facet,
                                     on_cell([](At at) { return scalar_mass(at, at.constant("h")); })};
     forms["convection.ambient"] = {

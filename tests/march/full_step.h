@@ -156,10 +156,44 @@ class FullStep {
                 add_law(laws, *surface, "friction", k_, fields);
             }
         }
-        newton(M + V + k_ * E, r, laws, 2, prescribed.fixed(), now.velocity);
+        newton(M + V + k_ * E + k_ * springs(u, r, time), r, laws, 2, prescribed.fixed(), now.velocity);
         for (std::size_t i = 0; i < now.velocity.size(); ++i) {
             now.displacement[i] = old.displacement[i] + k_ * now.velocity[i];
         }
+    }
+
+    /// The matrix of k_s u; adds k_s (u_s - u) to r. By the traction of every unit vector.
+    Matrix springs(const Vector& u, Vector& r, double time) const {
+        const auto n = static_cast<Eigen::Index>(2 * at_.node_count());
+        Matrix K = Matrix::Zero(n, n);
+        for (const auto& [name, boundary] : at_.scene.boundaries) {
+            if (!boundary.spring) {
+                continue;
+            }
+            const std::vector<double>& k_s = boundary.spring->stiffness.matrix;
+            std::vector<double> pull(static_cast<std::size_t>(n), 0.0);
+            fem::Form form(fem::find_kernel("traction.load", at_.mesh.cell, at_.scene.degree), at_.mesh, {},
+                           {{"f", {&pull, 2, &at_.space.dofmap}}});
+            const auto load_of = [&](const Vector& displacement) {
+                for (std::size_t i = 0; i < pull.size(); ++i) {
+                    const std::size_t row = i % 2, node = i - row;
+                    pull[i] = k_s[2 * row] * displacement[static_cast<Eigen::Index>(node)] +
+                              k_s[2 * row + 1] * displacement[static_cast<Eigen::Index>(node + 1)];
+                }
+                std::vector<double> vector(pull.size(), 0.0);
+                fem::assemble_facets(form, model::facets_of(at_.mesh, name), at_.space.dofmap, 2, vector);
+                return Vector(support::as_vector(vector));
+            };
+            Matrix K_of_side(n, n);
+            for (Eigen::Index dof = 0; dof < n; ++dof) {
+                K_of_side.col(dof) = load_of(Vector::Unit(n, dof));
+            }
+            K += K_of_side;
+            r +=
+                load_of(support::as_vector(model::interpolate(at_.space, boundary.spring->anchor, 2, time))) -
+                K_of_side * u;
+        }
+        return K;
     }
 
     void solve_heat(const State& old, double time, State& now) {

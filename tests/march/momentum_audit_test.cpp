@@ -11,12 +11,12 @@ using support::vector;
 
 /// Forces with memory of their own; the audit takes views.
 struct OwnedForces {
-    Eigen::VectorXd inertia, viscous, elastic, thermal, compliance, friction, load, reaction;
+    Eigen::VectorXd inertia, viscous, elastic, thermal, compliance, friction, load, reaction, spring;
 
     operator MomentumForces() const {
         const auto view = [](const Eigen::VectorXd& v) { return ConstVectorMap(v.data(), v.size()); };
-        return {view(inertia),  view(viscous), view(thermal), view(compliance),
-                view(friction), view(load),    view(reaction)};
+        return {view(inertia),  view(viscous), view(thermal),  view(compliance),
+                view(friction), view(load),    view(reaction), view(spring)};
     }
 };
 
@@ -30,8 +30,9 @@ OwnedForces balanced() {
     forces.compliance = vector({0, 4});
     forces.friction = vector({0.75, 0});
     forces.load = vector({3, 1});
+    forces.spring = vector({-1, 0.5});
     forces.reaction = forces.inertia + forces.viscous + forces.elastic - forces.thermal + forces.compliance +
-                      forces.friction - forces.load;
+                      forces.friction + forces.spring - forces.load;
     return forces;
 }
 
@@ -51,6 +52,10 @@ Energies energies_of(const OwnedForces& forces) {
     energies.strain_numerical = 0.25;
     energies.kinetic = 3 - 0.125 + step * velocity.dot(forces.inertia);
     energies.strain = 2 - 0.25 + step * velocity.dot(forces.elastic);
+    energies.spring_old = 1;
+    energies.spring_numerical = 0.375;
+    energies.anchors = -0.5;
+    energies.spring = 1 - 0.375 - 0.5 + step * velocity.dot(forces.spring);
     return energies;
 }
 
@@ -62,8 +67,10 @@ TEST(EnergyAudit, VanishesWhereTheForcesBalance) {
 TEST(EnergyAudit, SeesEveryTerm) {
     const OwnedForces forces = balanced();
     const Energies energies = energies_of(forces);
-    for (double Energies::*term : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical,
-                                   &Energies::strain_old, &Energies::strain, &Energies::strain_numerical}) {
+    for (double Energies::*term :
+         {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical, &Energies::strain_old,
+          &Energies::strain, &Energies::strain_numerical, &Energies::spring_old, &Energies::spring,
+          &Energies::spring_numerical, &Energies::anchors}) {
         Energies wrong = energies;
         wrong.*term += 0.01;
         EXPECT_GT(audit_energy(wrong, sums_of(forces), step).residual, 1e-4);
@@ -87,19 +94,21 @@ TEST(ForceAudit, SumsEachComponent) {
     forces.inertia = vector({1, 2, 3, 4});
     forces.compliance = vector({0, 5, 0, 5});
     forces.friction = vector({-2, 0, -2, 0});
-    forces.load = vector({4, 0, 0, 6});
+    forces.spring = vector({0, 1, 0.5, -3});
+    forces.load = vector({4.5, 0, 0, 4});
     forces.reaction = vector({0, 0, -4, 10});
     const Audit audit = audit_forces(sums_of(forces, rest), 2);
     EXPECT_EQ(audit.residual, 0.0);
-    const Record expected{{"inertia_force_x", 4},   {"contact_force_x", -4}, {"load_force_x", 4},
-                          {"reaction_force_x", -4}, {"inertia_force_y", 6},  {"contact_force_y", 10},
-                          {"load_force_y", 6},      {"reaction_force_y", 10}};
+    const Record expected{{"inertia_force_x", 4},  {"contact_force_x", -4},  {"spring_force_x", 0.5},
+                          {"load_force_x", 4.5},   {"reaction_force_x", -4}, {"inertia_force_y", 6},
+                          {"contact_force_y", 10}, {"spring_force_y", -2},   {"load_force_y", 4},
+                          {"reaction_force_y", 10}};
     EXPECT_EQ(audit.terms, expected);
-    forces.reaction[3] += 0.5;  // of nodal magnitudes 10 + 10 + 4 + 10 + 14.5
-    EXPECT_DOUBLE_EQ(audit_forces(sums_of(forces, rest), 2).residual, 0.5 / 48.5);
+    forces.reaction[3] += 0.5;  // of nodal magnitudes 10 + 10 + 4 + 4.5 + 8.5 + 14.5
+    EXPECT_DOUBLE_EQ(audit_forces(sums_of(forces, rest), 2).residual, 0.5 / 51.5);
     for (Eigen::VectorXd OwnedForces::*term :
          {&OwnedForces::inertia, &OwnedForces::viscous, &OwnedForces::thermal, &OwnedForces::compliance,
-          &OwnedForces::friction, &OwnedForces::load, &OwnedForces::reaction}) {
+          &OwnedForces::friction, &OwnedForces::spring, &OwnedForces::load, &OwnedForces::reaction}) {
         forces.*term = rest;
     }
     EXPECT_EQ(audit_forces(sums_of(forces, rest), 2).residual, 0.0) << "nothing happens";

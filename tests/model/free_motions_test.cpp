@@ -48,8 +48,9 @@ class Held {
 
     std::optional<FreeMotions::Found> free() {
         const auto prescribed = Prescribed::displacement(*scene_, part_.mesh, part_.space);
-        return FreeMotions(part_.space, part_.numbers, *team_, prescribed.fixed(), scene_->dimension)
-            .left_by(contact_);
+        FreeMotions motions(part_.space, part_.numbers, *team_, prescribed.fixed(), scene_->dimension);
+        motions.hold(Springs(*scene_, part_.mesh, part_.space));
+        return motions.left_by(contact_);
     }
 
     std::string motions() {
@@ -110,6 +111,24 @@ INSTANTIATE_TEST_SUITE_P(
              plate + "boundary.top.displacement = [\"free\", 0.0]\nboundary.left.displacement = [0.0, "
                      "\"free\"]\n",
              "held"},
+        Case{"springs", plate + "boundary.left.spring.stiffness = 1e-9\n", "held"},
+        Case{"springs_along_x", plate + "boundary.left.spring.stiffness = [[3.0, 0.0], [0.0, 0.0]]\n",
+             "the body is free to move along y"},
+        Case{"springs_along_a_slope",
+             plate + "boundary.bottom.spring.stiffness = [[9.0, 12.0], [12.0, 16.0]]\n",
+             "the body is free to move along (1, -0.75)"},
+        Case{"springs_and_roller",
+             plate +
+                 "boundary.top.displacement = [\"free\", 0.0]\nboundary.left.spring.stiffness = [[2.0, 0.0], "
+                 "[0.0, 0.0]]\n",
+             "held"},
+        Case{"springs_and_contact",
+             plate + contact() + "boundary.right.spring.stiffness = [[0.0, 0.0], [0.0, 1e9]]\n",
+             "the body is free to move along x"},
+        Case{"springs_in_space",
+             box + "boundary.front.spring.stiffness = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 5.0]]\n",
+             "the body is free to move along x, to move along y and to turn about the axis along z through "
+             "(1, 0.5, 0.5)"},
         Case{"frictionless", plate + contact(), "the body is free to move along x"},
         Case{"frictionless_far_away",
              rest + "mesh = {lower = [1e6, 1e6], upper = [1000002.0, 1000001.0], cells = [4, 2]}\n" +

@@ -14,7 +14,14 @@ import numpy as np
 from invariance_parts.compared import Array, Carry
 from matrix_parts.scenes import Flat
 
-VECTOR_KEYS: Final = ("body_force", ".displacement", ".velocity", ".traction", ".foundation_velocity")
+VECTOR_KEYS: Final = (
+    "body_force",
+    ".displacement",
+    ".velocity",
+    ".traction",
+    ".foundation_velocity",
+    ".anchor",
+)
 OTHER_DIAGONAL: Final = {"right": "left", "left": "right", "crossed": "crossed"}
 SIDES: Final = {  # outward normals
     "left": (-1, 0, 0),
@@ -114,7 +121,7 @@ class Boost:
         boosted["initial.velocity"] = self._faster(boosted["initial.velocity"])
         for key, value in scene.items():
             side, _, rest = key.removeprefix("boundary.").partition(".")
-            if rest == "displacement":
+            if rest in ("displacement", "spring.anchor"):
                 boosted[key] = [_plus(part, v, "*t") for part, v in zip(value, self.velocity)]
             elif rest == "contact.compliance.stiffness":
                 contact = f"boundary.{side}.contact"

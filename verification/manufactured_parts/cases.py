@@ -72,11 +72,17 @@ class Contact:
     velocity: Callable[[Expression, Expression], list[Expression]] | None = None  # of the foundation, m/s
     heat_share: float = 0.0
     convection: float = 0.0  # beside the conductance, to air as warm as the foundation, W/(m2 K)
+    spring: Callable[[int], list[list[float]]] | None = None  # beside the laws, N/m3, to what is at anchor()
 
 
 def turntable(x: Expression, t: Expression) -> list[Expression]:
     """A foundation that turns, faster and faster, and moves along; its normal part counts for nothing."""
     return [-0.4 * (1 + t) + 0.1 * x[1], 0.3 * x[0], 0.2 * x[0]][: len(x)]
+
+
+def anchor(x: Expression, t: Expression) -> list[Expression]:
+    """Where the springs' far ends are (m); in the space of every degree."""
+    return [0.3 - 0.2 * x[0] + 0.4 * t, 0.1 * t - 0.3 * x[0] * t, 0.2 * x[0]][: len(x)]
 
 
 def foundation_temperature(x: Expression, t: Expression) -> Expression:
@@ -118,7 +124,7 @@ CASES = {
     "rated": Case("mechanics and heat of strain rates", Material(), Heat(rate_heating=RATE_HEATING)),
     # as slipping; |w_t - v_Ft| is above 0.8 m/s
     "rubbing": Case(
-        "contact on a foundation that moves, heat of friction, convection",
+        "contact on a foundation that moves, heat of friction, convection, springs",
         Material(),
         Heat(rate_heating=RATE_HEATING),
         Contact(
@@ -132,6 +138,7 @@ CASES = {
             velocity=turntable,
             heat_share=0.6,
             convection=1.5,
+            spring=symmetric(3.0, 2.0, 0.8),
         ),
         coarsest_steps=64,  # heat is quadratic in the slip: midpoint's orders start at 1.89 from 1/32
     ),

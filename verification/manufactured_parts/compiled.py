@@ -9,6 +9,7 @@ from manufactured_parts.cases import (
     CASES,
     Case,
     Contact,
+    anchor,
     displacement,
     foundation_temperature,
     gap,
@@ -58,6 +59,8 @@ class Exact:
         traction = ufl.dot(strong.stress(self.case, self.u, self.w, self.theta), self.n)
         if contact := self.case.contact:
             exerted = strong.contact_traction(contact, self.penetration(contact), self.slip(contact), self.n)
+            if contact.spring:
+                exerted += strong.spring_traction(contact, self.u, ufl.as_vector(anchor(self.x, self.t)))
             return {"contact_traction": traction - exerted}
         return {
             "body_force": strong.body_force(self.case, self.u, self.t, self.theta),

@@ -170,6 +170,9 @@ def rubbing(laws: Contact, printer: Printer, air: str) -> Keys:
         )
     if laws.heat_share:
         keys[f"{at}.contact.friction.heat_share"] = laws.heat_share
+    if laws.spring:
+        keys[f"{at}.spring.stiffness"] = laws.spring(len(printer.x))
+        keys[f"{at}.spring.anchor"] = printer.components(ufl.as_vector(cases.anchor(printer.x, printer.t)))
     if laws.convection:
         keys[f"{at}.convection.coefficient"] = laws.convection
         keys[f"{at}.convection.ambient_temperature"] = air

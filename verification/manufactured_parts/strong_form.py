@@ -82,6 +82,12 @@ def drag(contact: Contact, pressure: Expression, slip: Expression) -> Expression
     return -contact.friction * pressure * slip / speed
 
 
+def spring_traction(contact: Contact, u: Expression, far_end: Expression) -> Expression:
+    """sigma n = -k_s (u - u_s) of springs alone."""
+    assert contact.spring is not None
+    return -ufl.as_matrix(contact.spring(len(u))) * (u - far_end)
+
+
 def contact_traction(contact: Contact, r: Expression, slip: Expression, n: Expression) -> Expression:
     """The traction that the foundation exerts."""
     pressure = pressure_on(contact, r)

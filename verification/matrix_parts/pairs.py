@@ -9,7 +9,7 @@ from itertools import combinations
 
 from matrix_parts.cases import Case
 from matrix_parts.scenes import ABSENT, BASES, Flat, changed
-from matrix_parts.variations import CONDUCTOR, COUPLING, ELASTIC_TENSOR, VISCOUS_TENSOR
+from matrix_parts.variations import CONDUCTOR, COUPLING, ELASTIC_TENSOR, SPRINGS, VISCOUS_TENSOR
 
 BASE = "contact bottom"
 SIDE = "boundary.bottom.contact"
@@ -56,6 +56,14 @@ FACTORS: Mapping[str, Mapping[str, Flat]] = {
         "number": {},
         "moving": {"load.body_force": ["t*x", "-1 - y*t"]},
         "off": {"load.body_force": ABSENT},
+    },
+    "spring": {
+        "off": {},
+        "number": {"boundary.right.spring.stiffness": 3.0},
+        "matrix": {
+            "boundary.right.spring.stiffness": SPRINGS,
+            "boundary.right.spring.anchor": ["0.1*t*y", "0.02 - t*t"],
+        },
     },
     "traction": {"on": {}, "off": {"boundary.left.traction": ABSENT}},
     "heat flux": {"on": {}, "off": {"boundary.left.heat_flux": ABSENT}},

@@ -52,6 +52,7 @@ MECHANICAL = ("material", "load", "initial.displacement", "initial.velocity") + 
     "heat.strain_rate_heating",
     "NAME.displacement",
     "NAME.traction",
+    "NAME.spring",
     "NAME.contact.foundation_velocity",
     "NAME.contact.compliance",
     "NAME.contact.friction",

@@ -21,6 +21,7 @@ VISCOUS_TENSOR = [[1.2, 0.2, 0.05], [0.2, 0.8, -0.1], [0.05, -0.1, 0.3]]
 CONDUCTOR = [[1.0, 0.25], [0.25, 0.6]]
 SINGULAR = [[1.0, 1.0], [1.0, 1.0]]
 COUPLING = [[0.4, -0.1], [-0.1, 0.3]]
+SPRINGS = [[5.0, 2.0], [2.0, 1.0]]
 
 
 def _mesh_and_time() -> dict[str, list[Variation]]:
@@ -228,6 +229,44 @@ def convection(side: str, base: str, moving: str) -> dict[str, list[Variation]]:
     }
 
 
+def springs(side: str, base: str, matrix: list[list[float]], moving: list[str]) -> dict[str, list[Variation]]:
+    """`moving`: far ends that depend on place and time."""
+    k_s, anchor = (f"boundary.{side}.spring.{key}" for key in ("stiffness", "anchor"))
+    return {
+        "spring.stiffness": vary(base, k_s, 3.0, matrix),
+        "spring.anchor": [
+            *vary(base, anchor, [0.02 * (1 + axis) for axis in range(len(matrix))], beside={k_s: 5.0}),
+            *vary(base, anchor, moving, beside={k_s: matrix}),
+        ],
+    }
+
+
+def _on_springs() -> list[Variation]:
+    """By every scheme, of degree 2, on quadrilaterals; beside a roller and on the contact side; alone where nothing
+    else holds the body; on sides that share a corner, with far ends that do not agree there."""
+    k_s, anchor = (f"boundary.right.spring.{key}" for key in ("stiffness", "anchor"))
+    pulled: Flat = {anchor: ["0.1*t*t", "0.05*sin(9*t) - 0.02*y"]}
+    other: Flat = {"boundary.bottom.spring.stiffness": 2.0, "boundary.bottom.spring.anchor": [0.03, "-t"]}
+    settings: list[tuple[str, Flat]] = [
+        *((CONTACT, {"time.scheme": scheme}) for scheme in ("bdf2", "midpoint", "generalized-alpha")),
+        (CONTACT, {"space.degree": 2, "time.scheme": "bdf2"}),
+        (CONTACT, {"mesh.cell": "tensor", "time.coupling": "iterated"}),
+        (CONTACT, {"boundary.right.displacement": ["free", 0.01]}),
+        (CONTACT, {"solver.strategy": "newton-krylov"}),
+        (
+            "coupled",
+            {"boundary.top.displacement": ABSENT, "material.density": ABSENT, "initial.velocity": ABSENT},
+        ),
+        (CONTACT, other),
+        ("contact right", {"boundary.right.contact.friction.regularisation": 0.0}),
+    ]
+    return [
+        variation
+        for base, beside in settings
+        for variation in vary(base, k_s, SPRINGS, beside={**pulled, **beside})
+    ]
+
+
 def _held_by_convection() -> list[Variation]:
     """Without capacity and prescribed temperatures; of degree 2; where a conductance beside it is limited."""
     h, ambient = (f"boundary.right.convection.{key}" for key in ("coefficient", "ambient_temperature"))
@@ -273,6 +312,7 @@ def _conditions(side: str) -> dict[str, list[Variation]]:
             *(vary(plain, heat_flux, ABSENT) if is_loaded else []),
         ],
         **convection(side, plain, "x + 3*y*t"),
+        **springs(side, plain, SPRINGS, ["0.1*t*y", "0.05*sin(9*t) - 0.02*x"]),
     }
 
 
@@ -483,6 +523,7 @@ def _variations() -> dict[str, list[Variation]]:
             table.setdefault(f"boundary.NAME.{key}", []).extend(variations)
     table["boundary.NAME.contact.quadrature"] += _every_rule()
     table["boundary.NAME.contact.friction.regularisation"] += _exact_friction()
+    table["boundary.NAME.spring.stiffness"] += _on_springs()
     table["boundary.NAME.convection.coefficient"] += _held_by_convection()
     table["boundary.NAME.contact.friction.heat_share"] += _heat_of_friction()
     return table

@@ -14,6 +14,7 @@ from matrix_parts.variations import (
     convection,
     law_files,
     rubbing,
+    springs,
 )
 
 ALIKE = {
@@ -49,6 +50,7 @@ VISCOUS_TENSOR = [
 ]
 CONDUCTOR = [[1.0, 0.25, -0.1], [0.25, 0.6, 0.15], [-0.1, 0.15, 0.8]]
 SINGULAR = [[1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, 1.0]]
+SPRINGS = [[5.0, 2.0, 0.5], [2.0, 1.0, 0.2], [0.5, 0.2, 3.0]]
 COUPLING = [[0.4, -0.1, 0.05], [-0.1, 0.3, 0.2], [0.05, 0.2, -0.25]]
 
 
@@ -207,6 +209,7 @@ def _conditions(side: str) -> dict[str, list[Variation]]:
             *(vary(plain, heat_flux, -1.0, ABSENT) if is_loaded else []),
         ],
         **convection(side, plain, "x + 3*y*t - 2*z"),
+        **springs(side, plain, SPRINGS, ["0.1*t*y", "0.05*sin(9*t) - 0.02*x", "0.03*z - 0.02*t"]),
     }
 
 
@@ -222,6 +225,27 @@ def _on_other_sides(side: str) -> dict[str, list[Variation]]:
         "contact.conductance.foundation_temperature": vary(base, foundation, "4*x - 2 + 3*t*y*z"),
         "contact.conductance.limit": vary(base, f"{contact}.conductance.limit", 0.5),
     }
+
+
+def _on_springs() -> list[Variation]:
+    """On quadrilaterals and facets of degree 2; by multigrid; alone where nothing else holds the body."""
+    k_s, anchor = (f"boundary.right.spring.{key}" for key in ("stiffness", "anchor"))
+    alone: Flat = {
+        "boundary.top.displacement": ABSENT,
+        "material.density": ABSENT,
+        "initial.velocity": ABSENT,
+    }
+    settings: list[tuple[str, Flat]] = [
+        (CONTACT, {**HEXAHEDRA, **SECOND_DEGREE}),
+        (CONTACT, {**SECOND_DEGREE, "time.scheme": "bdf2"}),
+        (CONTACT, {"solver.strategy": "newton-krylov"}),
+        ("box coupled", alone),
+    ]
+    return [
+        variation
+        for base, beside in settings
+        for variation in vary(base, k_s, SPRINGS, beside={anchor: ["0.1*t", "-0.05*t", 0.02], **beside})
+    ]
 
 
 def _every_rule() -> list[Variation]:
@@ -295,6 +319,7 @@ def _variations() -> dict[str, list[Variation]]:
         laws = contact_on(side, SHAPE) if side == "bottom" else _on_other_sides(side)
         for key, variations in {**_conditions(side), **laws}.items():
             table.setdefault(f"boundary.NAME.{key}", []).extend(variations)
+    table["boundary.NAME.spring.stiffness"] += _on_springs()
     table["boundary.NAME.contact.quadrature"] += _every_rule()
     table["boundary.NAME.contact.friction.regularisation"] += _exact_friction()
     table["boundary.NAME.contact.friction.heat_share"] += _heat_of_friction()

@@ -46,6 +46,7 @@ class Momentum:
         self.base_u, self.base_w = fem.Function(problem.V), fem.Function(problem.V)
         self.w_vector = petsc_vector(problem.w)
         self.base_w_vector = petsc_vector(self.base_w)
+        self.base_u_vector = petsc_vector(self.base_u)
         self.deformation = fem.Function(problem.V)  # displacement less its mean
         self.deformation_vector = petsc_vector(self.deformation)
         self.keeps_rates = scene.radius is not None
@@ -84,14 +85,24 @@ class Momentum:
             f0 = Nodal(problem.V, scene, scene.body_force)
             self.loads.add(f0, fem.form(dot(f0.function, v) * dx))
         self.prescribed = Prescribed(problem.V, scene)
+        springs: list[Any] = []  # side by side
         for name, boundary in scene.boundaries.items():
             side = problem.sides[name]
+            if boundary.spring:
+                k_s = problem.constant(boundary.spring.stiffness)
+                springs.append(dot(k_s * trial, v) * side.ds())
+                if boundary.spring.anchor:
+                    far_end = Nodal(problem.V, scene, boundary.spring.anchor, side)
+                    self.loads.add(far_end, fem.form(dot(k_s * far_end.function, v) * side.ds()))
             if boundary.traction:
                 f1 = Nodal(problem.V, scene, boundary.traction, side)
                 self.loads.add(f1, fem.form(dot(f1.function, v) * side.ds()))
             for component, value in enumerate(boundary.displacement or []):
                 if value is not None:
                     self.prescribed.add(side, component, value)
+
+        self.springs = [assembled_matrix(spring) for spring in springs]
+        pulling = [tau * spring for spring in springs]
 
         # The contact terms, implicit in u_s = u_b + tau w_s
         terms = [
@@ -103,8 +114,8 @@ class Momentum:
             tau,
             lambda: StepEquation(
                 "momentum balance",
-                assembled_matrix(linear),
-                assembled_matrix(linear, self.prescribed.bcs),
+                assembled_matrix(linear, on_sides=pulling),
+                assembled_matrix(linear, self.prescribed.bcs, pulling),
                 self.prescribed.bcs,
                 self.prescribed.dofs,
                 self.stage_w,
@@ -155,6 +166,8 @@ class Momentum:
             b.axpy(1.0 / step.tau, self.inertia * self.base_w_vector)
         if self.stiffness:
             b.axpy(-1.0, self.stiffness * self.deformation_of(self.base_u))
+        for spring in self.springs:
+            b.axpy(-1.0, spring * self.base_u_vector)
         if self.thermal:
             self.coupling_theta.x.array[:] = theta
             b.axpy(1.0, self.thermal * self.coupling_vector)

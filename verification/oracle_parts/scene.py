@@ -93,6 +93,12 @@ class Convection:
 
 
 @dataclass(frozen=True)
+class Spring:
+    stiffness: Matrix
+    anchor: list[Expression] | None  # None: the far ends are fixed
+
+
+@dataclass(frozen=True)
 class Contact:
     gap: Expression
     quadrature: int | str
@@ -108,6 +114,7 @@ class Boundary:
 
     displacement: list[Expression | None] | None
     traction: list[Expression] | None
+    spring: Spring | None
     temperature: Expression | None
     heat_flux: Expression | None
     convection: Convection | None
@@ -480,6 +487,7 @@ def _boundary(
     boundary = Boundary(
         displacement=table.optional("displacement", list_of(_free_or_expression, dimension)),
         traction=table.optional("traction", list_of(expression, dimension)),
+        spring=_spring(table.table("spring"), dimension),
         temperature=table.optional("temperature", expression),
         heat_flux=table.optional("heat_flux", expression),
         convection=_convection(table.table("convection")),
@@ -487,7 +495,8 @@ def _boundary(
     )
     table.close()
     contact = boundary.contact
-    mechanical = boundary.displacement or boundary.traction or (contact and contact.compliance)
+    held_or_pulled = boundary.displacement or boundary.traction or boundary.spring
+    mechanical = held_or_pulled or (contact and contact.compliance)
     rubs_warm = contact and contact.friction and contact.friction.heat_share > 0.0
     conducts = contact and contact.conductance
     thermal = boundary.temperature or boundary.heat_flux or boundary.convection or conducts or rubs_warm
@@ -535,6 +544,17 @@ def _convection(table: Table | None) -> Convection | None:
     )
     table.close()
     return convection
+
+
+def _spring(table: Table | None, dimension: int) -> Spring | None:
+    if table is None:
+        return None
+    spring = Spring(
+        table.take("stiffness", _conductor(dimension)),
+        table.optional("anchor", list_of(expression, dimension)),
+    )
+    table.close()
+    return spring
 
 
 def _friction(table: Table, files: OwnLaws) -> Friction:

@@ -23,6 +23,7 @@ def physics(scene: Scene) -> list[str]:
         "thermal_stress": heat and heat.thermal_stress is not None,
         "body_force": scene.body_force,
         "traction": any(side.traction for side in sides),
+        "spring": any(side.spring for side in sides),
         "compliance": any(contact.compliance for contact in contacts),
         "friction": any(contact.friction for contact in contacts),
         "moving_foundation": any(contact.foundation_velocity for contact in contacts),

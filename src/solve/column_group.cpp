@@ -79,28 +79,39 @@ void solve(const std::byte* L, std::int32_t rows, double* __restrict x) {
     }
 }
 
+/// Of numbers that lie side by side, by halves: a chain of three additions, not of eight.
+inline double total(double (&numbers)[chunk]) {
+    for (int half = chunk / 2; half > 0; half /= 2) {
+        for (int i = 0; i < half; ++i) {
+            numbers[i] += numbers[half + i];
+        }
+    }
+    return numbers[0];
+}
+
+/// From the last chunk to the first, so that a pass from group to group reads memory in one direction: what
+/// is prefetched is what comes next, however large groups are.
 template <typename Number, int width>
 void solve_transposed(const std::byte* L, std::int32_t rows, double* __restrict x) {
     const Group<Number, width> group(L);
     double sums[width][chunk] = {};
-    const Number* __restrict below = group.below;
-    const std::byte* ahead = L - prefetch_reach;
-    prefetch<head_bytes<Number>(width)>(ahead);
-    ahead += head_bytes<Number>(width);
-    for (std::int32_t r = width; r < rows;
-         r += chunk, below += width * chunk, ahead += chunk_bytes<Number, width>) {
-        prefetch<chunk_bytes<Number, width>>(ahead);
+    const std::int32_t chunks = (rows - width + chunk - 1) / chunk;
+    const Number* __restrict below = group.below + std::ptrdiff_t{chunks} * width * chunk;
+    const double* __restrict of_chunk = x + width + std::ptrdiff_t{chunks} * chunk;
+    for (std::int32_t k = 0; k < chunks; ++k) {
+        below -= width * chunk;
+        of_chunk -= chunk;
+        prefetch<chunk_bytes<Number, width>>(reinterpret_cast<const std::byte*>(below) - prefetch_reach);
         for (int c = 0; c < width; ++c) {
 #pragma omp simd
             for (int i = 0; i < chunk; ++i) {
-                sums[c][i] += static_cast<double>(below[c * chunk + i]) * x[r + i];
+                sums[c][i] += static_cast<double>(below[c * chunk + i]) * of_chunk[i];
             }
         }
     }
+    prefetch<head_bytes<Number>(width)>(L - prefetch_reach);
     for (int c = width - 1; c >= 0; --c) {
-        for (int i = 0; i < chunk; ++i) {
-            x[c] -= group.unit(c) * sums[c][i];
-        }
+        x[c] -= group.unit(c) * total(sums[c]);
         for (int r = c + 1; r < width; ++r) {
             x[c] -= group.triangle[c * width + r] * x[r];
         }

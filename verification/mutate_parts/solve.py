@@ -206,8 +206,8 @@ MUTATIONS = (
     Mutation(
         "panel-columns-backward",
         "src/solve/column_group.cpp",
-        "sums[c][i] += static_cast<double>(below[c * chunk + i]) * x[r + i];",
-        "sums[c][i] += static_cast<double>(below[(width - 1 - c) * chunk + i]) * x[r + i];",
+        "sums[c][i] += static_cast<double>(below[c * chunk + i]) * of_chunk[i];",
+        "sums[c][i] += static_cast<double>(below[(width - 1 - c) * chunk + i]) * of_chunk[i];",
         "index",
         "columns of a group in the backward pass",
     ),
@@ -286,8 +286,8 @@ MUTATIONS = (
     Mutation(
         "words-unit",
         "src/solve/column_group.cpp",
-        "x[c] -= group.unit(c) * sums[c][i];",
-        "x[c] -= group.unit(0) * sums[c][i];",
+        "x[c] -= group.unit(c) * total(sums[c]);",
+        "x[c] -= group.unit(0) * total(sums[c]);",
         "index",
         "each column of words has a unit of its own",
     ),

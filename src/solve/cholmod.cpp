@@ -18,7 +18,11 @@ extern "C" void GOMP_parallel(void (*region)(void*), void* data, unsigned /*thre
 namespace thermocontact::solve {
 
 CholmodCommon::CholmodCommon() {
+#if SUITESPARSE_MAIN_VERSION < 7
     SuiteSparse_config.malloc_func = allocate_huge;
+#else
+    SuiteSparse_config_malloc_func_set(allocate_huge);
+#endif
     cholmod_start(&common_);
     common_.print = 0;
     common_.error_handler = nullptr;

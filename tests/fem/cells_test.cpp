@@ -19,8 +19,9 @@ INSTANTIATE_TEST_SUITE_P(All, CellKinds,
 
 /// Facet numbers go from the mesh into the compiled forms, which follow Basix.
 TEST_P(CellKinds, FacetsAreNumberedLikeThoseOfBasix) {
-    const mesh::CellShape& shape = mesh::cell_shape(GetParam());
-    const LagrangeElement linear = make_lagrange(GetParam(), 1);
+    const std::string cell = GetParam();
+    const mesh::CellShape& shape = mesh::cell_shape(cell);
+    const LagrangeElement linear = make_lagrange(cell, 1);
     ASSERT_EQ(linear.topology.size(), static_cast<std::size_t>(shape.dimension) + 1);
     EXPECT_EQ(shape.facets, linear.topology[static_cast<std::size_t>(shape.dimension) - 1]);
     EXPECT_EQ(shape.vertices, linear.node_count);

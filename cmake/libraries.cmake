@@ -31,6 +31,10 @@ thermocontact_module(MUPARSER muparser)
 # stay hidden from PETSc, which brings the parallel HDF5 of its own.
 pkg_check_modules(HDF5 QUIET hdf5-serial)
 thermocontact_library_file(hdf5 libhdf5.a PATHS ${HDF5_LIBRARY_DIRS} NO_DEFAULT_PATH)
+if(TARGET thermocontact::hdf5 AND HDF5_VERSION VERSION_GREATER_EQUAL 1.14)
+  # its start names every driver, that of remote objects too
+  set_target_properties(thermocontact::hdf5 PROPERTIES INTERFACE_LINK_LIBRARIES "curl;crypto")
+endif()
 thermocontact_library_file(szip sz)
 thermocontact_library_file(cholmod cholmod)
 thermocontact_library_file(suitesparseconfig suitesparseconfig)

@@ -102,10 +102,11 @@ void spare_networks() {
             set_unless_given({{"OMPI_MCA_pml", "ob1"}});
         }
     } else if (std::getenv("PMI_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr) {
-        set_unless_given({{"OMPI_MCA_ess_singleton_isolated", "1"},
-                          {"OMPI_MCA_btl", "self"},
-                          {"OMPI_MCA_pml", "ob1"},
-                          {"OMPI_MCA_osc", "pt2pt"}});
+        set_unless_given(
+            {{"OMPI_MCA_ess_singleton_isolated", "1"}, {"OMPI_MCA_btl", "self"}, {"OMPI_MCA_pml", "ob1"}});
+#if OMPI_MAJOR_VERSION < 5
+        set_unless_given({{"OMPI_MCA_osc", "pt2pt"}});  // later ones have it no more
+#endif
     }
 }
 

@@ -35,7 +35,7 @@ int carry_out(const plan::Plan& plan, plan::Bench& bench, const RunCommand& comm
     const RunWatch watch{
         [&](march::Simulation& simulation, const march::Record& row) { recorder.note(simulation, row); },
         [&](const output::Seconds& seconds) {
-            const plan::Pilot run{discretisation, recorder.frames(), {}, recorder.damped()};
+            const plan::Pilot run{discretisation, recorder.frames(), {}};
             const double taken = seconds.setup + seconds.factor + seconds.steps + seconds.output;
             const std::optional<plan::Achieved> achieved = judge(plan, bench, run);
             if (!command.quiet) {

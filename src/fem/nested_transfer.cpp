@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace thermocontact::fem {
 namespace {
@@ -135,7 +136,8 @@ class Walk {
 
 }  // namespace
 
-NestedTransfer::NestedTransfer(const ForestSpace& from, const ForestSpace& to) {
+NestedTransfer::NestedTransfer(const ForestSpace& from, const ForestSpace& to)
+    : old_nodes_(from.space.nodes.size()) {
     const Walk walk(from, to);
     for (const Row& row : walk.rows()) {
         for (const auto& [node, weight] : row) {
@@ -148,6 +150,9 @@ NestedTransfer::NestedTransfer(const ForestSpace& from, const ForestSpace& to) {
 
 std::vector<double> NestedTransfer::operator()(const std::vector<double>& values, int components) const {
     const auto width = static_cast<std::size_t>(components);
+    if (values.size() != old_nodes_ * width) {
+        throw std::logic_error("values of another mesh");
+    }
     std::vector<double> result((first_.size() - 1) * width, 0.0);
     for (std::size_t node = 0; node + 1 < first_.size(); ++node) {
         for (auto i = static_cast<std::size_t>(first_[node]); i < static_cast<std::size_t>(first_[node + 1]);

@@ -25,10 +25,12 @@ class NestedTransfer {
   public:
     NestedTransfer(const ForestSpace& from, const ForestSpace& to);
 
-    /// [nodes of `to`][components] from [nodes of `from`][components].
+    /// [nodes of `to`][components] from [nodes of `from`][components]. Throws std::logic_error where there
+    /// are not so many values.
     std::vector<double> operator()(const std::vector<double>& values, int components) const;
 
   private:
+    std::size_t old_nodes_;
     std::vector<std::int32_t> first_{0};  ///< [nodes of `to` + 1]: where its row begins
     std::vector<std::int32_t> nodes_;     ///< of `from`
     std::vector<double> weights_;

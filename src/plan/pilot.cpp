@@ -71,6 +71,15 @@ double frame_seconds(const scene::Scene& scene, march::Simulation& simulation) {
 
 }  // namespace
 
+bool is_undamped(const scene::Scene& scene) {
+    const auto damps = [](const std::optional<scene::Material>& material) {
+        return material && material->viscosity;
+    };
+    return scene.material && scene.material->density && !damps(scene.material) &&
+           std::ranges::none_of(scene.regions,
+                                [&](const auto& entry) { return damps(entry.second.material); });
+}
+
 void Recorder::note(march::Simulation& simulation, const march::Record& row) {
     double energy = 0;
     for (const auto& [name, value] : row) {
@@ -78,6 +87,9 @@ void Recorder::note(march::Simulation& simulation, const march::Record& row) {
             dissipated_ += value;
         } else if (name == "kinetic_energy" || name == "strain_energy") {
             energy += value;
+        }
+        if (name == "strain_energy") {
+            largest_strain_energy_ = std::max(largest_strain_energy_, value);
         }
     }
     largest_energy_ = std::max(largest_energy_, energy);
@@ -117,7 +129,7 @@ Pilot run_pilot(const scene::Scene& scene, const Discretisation& discretisation,
         static_cast<double>(simulation.displacement_unknowns() + simulation.temperature_unknowns());
     costs.end = end_seconds(simulation);
     costs.frame = frame_seconds(scene, simulation);
-    return {discretisation, recorder.frames(), costs, recorder.damped()};
+    return {discretisation, recorder.frames(), costs, recorder.damped(is_undamped(scene))};
 }
 
 }  // namespace thermocontact::plan

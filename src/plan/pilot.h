@@ -30,8 +30,12 @@ struct Pilot {
     Discretisation discretisation;
     std::vector<Frame> frames;  ///< [instants]
     Costs costs;
-    double damped = 0;  ///< energy that the scheme dissipated, of the largest that there was
+    double damped = 0;  ///< energy that the scheme dissipated, of the largest that there was: see Recorder
 };
+
+/// Whether motions go on for ever: those that a scheme damps are then missing in what it converges to as long
+/// as its steps do not resolve them, and its differences do not show it.
+bool is_undamped(const scene::Scene& scene);
 
 /// Collects what is compared, from a simulation as it marches.
 class Recorder {
@@ -43,15 +47,19 @@ class Recorder {
     void note(march::Simulation& simulation, const march::Record& row);
 
     const std::vector<Frame>& frames() const { return frames_; }
-    /// See Pilot::damped.
-    double damped() const { return largest_energy_ > 0 ? dissipated_ / largest_energy_ : 0.0; }
+    /// Of the largest energy, kinetic and of strain; of strain alone where nothing else damps: motions that
+    /// go on for ever are vibrations, and a body that slides has far more energy than these.
+    double damped(bool undamped) const {
+        const double largest = undamped ? largest_strain_energy_ : largest_energy_;
+        return largest > 0 ? dissipated_ / largest : 0.0;
+    }
     int attempts() const { return attempts_; }
 
   private:
     Quantity quantity_;
     int steps_;
     std::vector<Frame> frames_;
-    double dissipated_ = 0, largest_energy_ = 0;
+    double dissipated_ = 0, largest_energy_ = 0, largest_strain_energy_ = 0;
     int attempts_ = 0;
 };
 

@@ -6,6 +6,8 @@
 
 #include "error.h"
 #include "plan/correction.h"
+#include "plan/duration.h"
+#include "plan/grading.h"
 #include "plan/grading_search.h"
 #include "plan/models.h"
 
@@ -116,9 +118,11 @@ class Meshes {
         const double begin = study_->bench->seconds();
         const double of_ladder = seconds_of_ladder();
         allowance_ = std::min(allowance_, seconds / pilots_in_search);
+        bool tried = false;
         search_grading(
             study_->bench->scene(),
             [&](const std::vector<scene::Grading>& grading) {
+                tried = true;
                 const std::size_t before = study_->models.spaces.size();
                 add(2, grading);
                 const double found = price(before, study_->models.spaces.size());
@@ -131,6 +135,10 @@ class Meshes {
                 return study_->bench->seconds() - begin + of_ladder > seconds ||
                        of_ladder > seconds_for_pilots(*study_);
             });
+        if (!tried && of_ladder > seconds && !graded(study_->bench->scene(), 2).empty()) {
+            study_->remarks.push_back("no graded mesh was tried: three pilots of one take " +
+                                      duration_text(of_ladder) + ", more than the search may take");
+        }
     }
 
   private:

@@ -23,17 +23,6 @@ const std::vector<Stepping>& steppings() {
     return all;
 }
 
-/// Whether motions go on for ever: those that a scheme damps are then missing in what it converges to as long
-/// as its steps do not resolve them, and its differences do not show it.
-bool is_undamped(const scene::Scene& scene) {
-    const auto damps = [](const std::optional<scene::Material>& material) {
-        return material && material->viscosity;
-    };
-    return scene.material && scene.material->density && !damps(scene.material) &&
-           std::ranges::none_of(scene.regions,
-                                [&](const auto& entry) { return damps(entry.second.material); });
-}
-
 double order_of(const Stepping& stepping) {
     const double order = stepping.scheme == "backward-euler" ? 1 : 2;
     return stepping.adaptive ? order / (order + 1)

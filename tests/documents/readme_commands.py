@@ -55,6 +55,7 @@ COMMANDS = (
         instead=DRIVER + "run scenes/refined.toml --output refined --set time.steps=2",
         long=True,
     ),
+    Command(PYTHON + "animate.py refined --output refined.png --frames 4"),
     Command(PYTHON + "refinement.py --output refinement", reason=TWO_CORES, test="refinement"),
     Command(PAPER + "--output results", interrupted=True),
     Command(PAPER + "--output results --restart results/checkpoint.h5"),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <stdexcept>
 
 #include "mesh/shapes.h"
 
@@ -76,6 +77,7 @@ TEST_P(EveryDegree, ThereAndBackChangesNothing) {
     ASSERT_GT(fine.space.nodes.size(), coarse.space.nodes.size());
     const auto values = noise(coarse.space.nodes.size() * 3);
     EXPECT_EQ(NestedTransfer(fine, coarse)(NestedTransfer(coarse, fine)(values, 3), 3), values);
+    EXPECT_THROW(NestedTransfer(fine, coarse)(values, 3), std::logic_error) << "values of the other mesh";
 }
 
 /// On the finer mesh a function of the coarser is itself: refined again, it is what it is refined at once.

@@ -70,6 +70,10 @@ TEST(Planner, SpendsNoMoreThanItsBudget) {
     const Plan plan = Planner(bench, {{}, 2.0, Quantity::norms}, false).make();
     ASSERT_TRUE(plan.chosen);
     EXPECT_LE(plan.chosen->seconds, 2.0);
+    ASSERT_TRUE(plan.cheaper);
+    EXPECT_LT(plan.cheaper->seconds,
+              plan.chosen->seconds / 2);  // the next offer is half a digit of time away
+    EXPECT_GT(plan.cheaper->error, plan.chosen->error);
     EXPECT_LT(plan.chosen->error, 0.2);
 }
 

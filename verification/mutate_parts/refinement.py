@@ -75,4 +75,12 @@ MUTATIONS = (
         "state",
         "a step that is repeated begins with the state before it, on the mesh of that",
     ),
+    Mutation(
+        "transfer-of-another-mesh",
+        "src/fem/nested_transfer.cpp",
+        "values.size() != old_nodes_ * width",
+        "values.size() < width",
+        "missing",
+        "values of another mesh are not read beyond their end",
+    ),
 )

@@ -174,18 +174,19 @@ def _panel(axes: Any, study: Study, at: int, chosen: dict[int, Point | None]) ->
         _label(axes, point, at, f"paper, 1/{n}", PAPER)
         axes.loglog([x / GOAL, x / GOAL, x], [y / 3, y, y], color=PAPER, linewidth=0.8, linestyle=":")
         axes.annotate(
-            f"1/{GOAL:g} of its time", (x / GOAL, y / 3), (0, -3), fontsize=8, color=PAPER,
+            f"1/{GOAL:g} of 1/{n}'s time", (x / GOAL, y / 3), (0, -3), fontsize=8, color=PAPER,
             textcoords="offset points", ha="center", va="top",
         )  # fmt: skip
     axes.axhline(study.found.resolved[at], color="black", linewidth=0.8, linestyle="--")
     axes.annotate("bound of the reference's error", (0.02, study.found.resolved[at]), (0, 3), fontsize=8,
                   xycoords=("axes fraction", "data"), textcoords="offset points")  # fmt: skip
     axes.set_xlabel("setup, factorisations and steps (s)")
-    axes.set_xlim(right=6 * max(point.seconds.counted for point in study.paper.values()))
+    times = [point.seconds.counted for point in study.paper.values()]
+    axes.set_xlim(min(times) / GOAL / 4, 6 * max(times))  # room for the words
     axes.set_ylim(study.found.resolved[at] / 2, 2 * max(point.norms[at] for point in study.paper.values()))
     axes.set_title(f"{TITLES[at]}, largest over {study.plan.outputs} times")
     axes.set_ylabel(SYMBOLS[at])
-    axes.grid(True, which="major", color="#ececec", linewidth=0.6)
+    axes.grid(True, which="major", color="#d9d9d9", linewidth=0.7)
     axes.set_axisbelow(True)
 
 

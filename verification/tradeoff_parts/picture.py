@@ -42,7 +42,7 @@ def draw(study: Study, folder: Path, small: bool) -> list[Path]:
         own_errors(own, study, looks)
         for axes in (whole, own):
             axes.set_xlabel("setup, factorisations and steps (s)")
-            axes.grid(True, which="major", color="#ececec", linewidth=0.6)
+            axes.grid(True, which="major", color="#d9d9d9", linewidth=0.7)
             axes.set_axisbelow(True)
         whole.set_ylabel("largest relative error")
         whole.set_title(f"{study.facts.name}: error of each configuration")

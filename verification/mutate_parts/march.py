@@ -198,8 +198,8 @@ MUTATIONS = (
     Mutation(
         "momentum-reaction",
         "src/march/momentum.cpp",
-        "(*load_)[i];\n    }",
-        "-(*load_)[i];\n    }",
+        "friction_[i] - (*load_)[i];",
+        "friction_[i] + (*load_)[i];",
         "sign",
         "reactions of the force balance",
     ),
@@ -278,8 +278,8 @@ MUTATIONS = (
     Mutation(
         "audit-old-strain",
         "src/march/momentum_audit.cpp",
-        "-energies.kinetic_old - energies.strain_old)",
-        "-energies.kinetic_old + energies.strain_old)",
+        "energies.kinetic_old + energies.strain_old + energies.spring_old;",
+        "energies.kinetic_old - energies.strain_old + energies.spring_old;",
         "sign",
         "the change of strain energy",
     ),
@@ -294,8 +294,8 @@ MUTATIONS = (
     Mutation(
         "audit-force-cancels",
         "src/march/momentum_audit.cpp",
-        "difference += std::abs(inertia + contact - load - reaction);",
-        "difference += inertia + contact - load - reaction;",
+        "difference += std::abs(inertia + contact + spring - load - reaction);",
+        "difference += inertia + contact + spring - load - reaction;",
         "missing",
         "errors of two components do not cancel",
     ),

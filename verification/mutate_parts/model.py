@@ -142,7 +142,7 @@ MUTATIONS = (
     Mutation(
         "free-motions-contact",
         "src/model/free_motions.cpp",
-        "round_off(of_law.count, of_law.farness));",
+        "round_off(quotients.count, quotients.farness));",
         "1);",
         "range",
         "closed contact holds a body",

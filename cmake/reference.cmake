@@ -28,3 +28,9 @@ install(FILES ${REFERENCE}/completions/_thermocontact DESTINATION ${CMAKE_INSTAL
 install(FILES ${REFERENCE}/completions/thermocontact.fish
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
 install(DIRECTORY ${REFERENCE}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+
+# The pictures of docs/gallery.md, made again in the sources
+add_custom_target(gallery
+  COMMAND ${FFCX_PYTHON} ${CMAKE_SOURCE_DIR}/verification/gallery.py --driver $<TARGET_FILE:thermocontact>
+  COMMENT "pictures of the gallery" VERBATIM)
+add_dependencies(gallery thermocontact)

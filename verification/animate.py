@@ -1,6 +1,8 @@
-"""A run as a moving picture (GIF): the body deformed and coloured, in the plane with the foundation beneath it.
+"""A run as a moving picture (GIF): the body deformed and coloured, in the plane with the foundation beneath it, the
+springs that hold it, and marks that run with a belt.
 
     python3 verification/animate.py DIR --output FILE.gif [--field temperature] [--frames 24] [--scale 1]
+        [--from SECONDS] [--until SECONDS] [--dpi 80]
     python3 verification/animate.py DIR --output FILE.png --frames 4       # the frames side by side, two in a row
 
 Colours keep one range over all frames. The foundation is drawn where the driver's gap says that it is: the gap's length
@@ -24,7 +26,7 @@ from plotting.style import styled
 from plotting.surface import outline, surface, triangulation, view_of
 
 from oracle_parts import vtu
-from plotting import style
+from plotting import style, surroundings
 
 # name: what it is, its unit, whether it is a value of cells
 FIELDS = {
@@ -36,6 +38,7 @@ COLOURS = 64  # of a frame's palette: a moving picture in a README is not to be 
 WIDTH, LEAST_HEIGHT, DPI, STILL_DPI = 4.0, 2.0, 80, 110  # inches, of the body's panel
 COLUMNS, CELLS_OF_STILLS = 2, 10_000  # of stills, which have points enough to tell the cells apart
 TITLE = 52  # characters a line
+SPRING_COLOUR = "#D55E00"
 Array = style.Any
 
 
@@ -69,9 +72,23 @@ def foundation(body: vtu.Grid, moved: Array, contact: vtu.Grid) -> Array:
 
 
 class Film:
-    def __init__(self, results: Results, field: str, frames: int, scale: float) -> None:
+    def __init__(
+        self,
+        results: Results,
+        field: str,
+        frames: int,
+        scale: float,
+        span: tuple[float, float] = (-np.inf, np.inf),
+        dpi: int = DPI,
+    ) -> None:
+        self.dpi = dpi
         self.field, self.scale, self.title = field, scale, str(results.scene.get("title", ""))
-        chosen = np.unique(np.linspace(0, len(results.steps) - 1, frames).round().astype(int))
+        self.scene = results.scene
+        shown_steps = [i for i, (time, _) in enumerate(results.steps) if span[0] <= time <= span[1]]
+        if len(shown_steps) < 2:
+            raise Unusable(f"fewer than two output times from {span[0]:g} to {span[1]:g} s")
+        places = np.unique(np.linspace(0, len(shown_steps) - 1, frames).round().astype(int))
+        chosen = [shown_steps[place] for place in places]
         self.times = [results.steps[i][0] for i in chosen]
         self.bodies = [vtu.without_seams(vtu.read_grid(results.steps[i][1][0])) for i in chosen]
         self.contacts = [
@@ -81,13 +98,22 @@ class Film:
         shown = [values_of(body, field) for body in self.bodies]
         self.low = float(min(values.min() for values in shown))
         self.high = float(max(values.max() for values in shown))
-        flat = np.concatenate([self.view.project(self.moved(i)) for i in range(len(chosen))])
+        self.true_size = not self.view.solid and scale == 1.0
+        self.springs = surroundings.springs(self.scene, self.bodies[0]) if self.true_size else []
+        flat = np.concatenate(
+            [self.view.project(self.moved(i)) for i in range(len(chosen))]
+            + [line for i in range(len(chosen)) for line in self.spring_lines(i)]
+        )
         margin = 0.06 * float(np.ptp(flat, axis=0).max())
         self.corners = np.stack([flat.min(axis=0) - margin, flat.max(axis=0) + margin])
 
     def moved(self, frame: int) -> Array:
         body = self.bodies[frame]
         return body.points + self.scale * displacement(body)
+
+    def spring_lines(self, i: int) -> list[Array]:
+        moved = self.moved(i)
+        return [line for spring in self.springs for line in spring.lines(moved, self.times[i])]
 
     def body_at(self, i: int, axes: style.Any, most_cells: int = 2000) -> style.Any:
         """Draws it, with cells where there are no more seen; returns what a scale of colours can be made of."""
@@ -112,15 +138,20 @@ class Film:
             lines(self.view.project(moved)[edges], colors=MESH_COLOUR, linewidths=0.3, alpha=0.5)
         )
         contact = self.contacts[i]
-        if contact is not None and not self.view.solid and self.scale == 1.0:
+        if contact is not None and self.true_size:
             ground = foundation(body, moved, contact)[:, :2]
             axes.add_collection(lines(ground, colors=OUTLINE_COLOUR, linewidths=2.0))
+            edges_of_picture = (float(self.corners[0, 0]), float(self.corners[1, 0]))
+            belt = list(surroundings.marks(self.scene, ground, edges_of_picture, self.times[i]))
+            axes.add_collection(lines(belt, colors=OUTLINE_COLOUR, linewidths=1.0))
+        axes.add_collection(lines(self.spring_lines(i), colors=SPRING_COLOUR, linewidths=1.2))
         axes.set_xlim(*self.corners[:, 0])
         axes.set_ylim(*self.corners[:, 1])
         axes.set_aspect("equal")
         if self.view.solid:
             draw_axes(axes, self.view)
         else:
+            axes.locator_params(axis="x", nbins=6)
             axes.set_xlabel("x (m)")
             axes.set_ylabel("y (m)")
         return drawn
@@ -143,7 +174,7 @@ class Film:
         axes.set_title(f"{textwrap.fill(self.title, TITLE)}\n{self.time_at(i)}")
         figure.colorbar(drawn, ax=axes, label=self.label, shrink=0.9)
         buffer = io.BytesIO()
-        figure.savefig(buffer, dpi=DPI, format="png")
+        figure.savefig(buffer, dpi=self.dpi, format="png")
         style.plt.close(figure)
         with Image.open(buffer) as image:
             return image.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
@@ -180,11 +211,23 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--field", choices=FIELDS, default="temperature")
     parser.add_argument("--frames", type=int, default=24)
     parser.add_argument("--scale", type=float, default=1.0, help="of the displacement; default 1")
+    parser.add_argument(
+        "--from", type=float, default=-np.inf, dest="first", help="time of the first frame, s"
+    )
+    parser.add_argument("--until", type=float, default=np.inf, dest="last", help="time of the last, s")
+    parser.add_argument("--dpi", type=int, default=DPI, help=f"dots an inch; default {DPI}")
     options = parser.parse_args(arguments)
     if options.frames < 2:
         parser.error("--frames: expected at least 2")
     try:
-        film = Film(Results(options.folder), options.field, options.frames, options.scale)
+        film = Film(
+            Results(options.folder),
+            options.field,
+            options.frames,
+            options.scale,
+            (options.first, options.last),
+            options.dpi,
+        )
         with styled():
             (film.save_stills if options.output.suffix == ".png" else film.save_moving)(options.output)
     except Unusable as problem:

@@ -9,6 +9,7 @@
                    penetration
     contact-maps   pressure and slip velocity along each contact boundary against time
     contact-history  forces, shares closed and slipping, largest slip velocity, largest penetration against time
+    spring-history   forces on springs, and largest slip velocity, against time
 
 All are drawn that the scenes' physics have; --only picks some. Each is written as PNG and PDF; --small writes small
 PNGs only, for a README. All are at the last step in the folder, except those over time.
@@ -37,6 +38,7 @@ PICTURES: dict[str, tuple[set[str], Draw]] = {
     "contact-final": ({"compliance"}, contact.draw_final),
     "contact-maps": ({"compliance"}, contact.draw_maps),
     "contact-history": ({"compliance"}, history.draw_history),
+    "spring-history": ({"spring"}, history.draw_springs),
 }
 
 

@@ -159,6 +159,9 @@ FreeMotions::Quotients FreeMotions::quotients(const Pieces& pieces) const {
 void FreeMotions::leave(const Quotients& quotients, std::vector<Body>& bodies) {
     for (std::size_t body = 0; body < bodies.size(); ++body) {
         Eigen::MatrixXd& basis = bodies[body].basis;
+        if (basis.cols() == 0) {
+            continue;
+        }
         basis = null_vectors(basis, basis.transpose() * quotients.matrices[body] * basis,
                              quotients.scales[body], round_off(quotients.count, quotients.farness));
     }

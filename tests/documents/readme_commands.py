@@ -166,6 +166,11 @@ COMMANDS = (
     Command(DRIVER + "view results", instead=DRIVER + "view results --no-open"),
     Command(PYTHON + "figures.py COLD HOT --output figures", reason="the folders are the reader's"),
     Command(PYTHON + "animate.py DIR --output film.gif", reason="the folder is the reader's"),
+    Command(
+        PYTHON + "gallery.py",
+        instead=PYTHON + "gallery.py sphere --output gallery",
+        test="verification.gallery",
+    ),
 )
 
 # What else stands indented: what the program prints, and formulas

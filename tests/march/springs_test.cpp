@@ -19,7 +19,8 @@ double value(const Record& record, const std::string& name) {
 
 const std::string bar = R"(
 mesh = {upper = [2.0, 0.5], cells = [4, 2]}
-time = {end = 1, steps = 4}
+time.end = 1
+time.steps = 4
 material.elasticity = {young = 200, poisson = 0}
 boundary.bottom.displacement = ["free", 0.0]
 )";

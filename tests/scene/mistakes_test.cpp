@@ -30,7 +30,7 @@ const Mistake unknown_keys[] = {
      R"(scene.toml:3: mesh.steps: unknown key; did you mean "time.steps"?)"},
     {"OneLevelTooHigh", 15, "displacement = [0, 0]\n[boundary.left.contact]\nstiffness = 1",
      R"(scene.toml:17: boundary.left.contact.stiffness: unknown key; )"
-     R"(did you mean "boundary.left.contact.compliance.stiffness"?)"},
+     R"(did you mean "boundary.left.spring.stiffness" or "boundary.left.contact.compliance.stiffness"?)"},
     {"OfSeveralTables", 2, "cells = [4, 4]\ncoefficient = 3",
      R"(scene.toml:3: mesh.coefficient: unknown key; did you mean )"
      R"("boundary.NAME.convection.coefficient", )"
@@ -229,6 +229,9 @@ const Mistake combinations[] = {
     {"TractionAgainstDisplacement", 15, "traction = [0, 1]\ndisplacement = [\"free\", 0]",
      "scene.toml:16: boundary.top.displacement: conflicts with boundary.top.traction (line 15): "
      "the y component is both prescribed and loaded; make it \"free\" or 0"},
+    {"PrescribedSpring", 15, "displacement = [0, 0]\nspring.stiffness = 4",
+     "scene.toml:16: boundary.top.spring: conflicts with boundary.top.displacement (line 15): "
+     "every displacement component is prescribed; make one \"free\""},
     {"PrescribedContact", 17,
      "[boundary.bottom]\ndisplacement = [0, 0]\n[boundary.bottom.contact.compliance]",
      "scene.toml:19: boundary.bottom.contact.compliance: conflicts with boundary.bottom.displacement (line "

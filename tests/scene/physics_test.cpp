@@ -24,8 +24,9 @@ TEST(Physics, MechanicsIsNeeded) {
     const std::string lacking = ": needs material, which the scene lacks";
     for (const std::string key :
          {"load.body_force = [0, 0]", "initial.displacement = [0, 0]", "boundary.top.displacement = [0, 0]",
-          "boundary.top.traction = [0, 0]", "boundary.top.contact.compliance.stiffness = 1",
-          "heat.thermal_stress = 1", "heat.strain_heating = 1"}) {
+          "boundary.top.traction = [0, 0]", "boundary.top.spring.stiffness = 1",
+          "boundary.top.contact.compliance.stiffness = 1", "heat.thermal_stress = 1",
+          "heat.strain_heating = 1"}) {
         EXPECT_EQ(message(heat + key), "scene.toml:4: " + key.substr(0, key.find(' ')) + lacking);
     }
 }

@@ -1,6 +1,7 @@
 """Blocks on springs: one that swings, and one that is drawn over a foundation."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -29,6 +30,11 @@ def give(run: Run, side: str) -> float:
     return stiffness(run, side) * width(run.scene) / (young * height(run.scene))
 
 
+def total(run: Run, names: Sequence[str]) -> Array:
+    """The sum of these columns, row by row."""
+    return np.sum([run.history[name] for name in names], axis=0)
+
+
 def oscillator(driver: Driver) -> list[Row]:
     rows = []
     for scheme in ("midpoint", "backward-euler"):
@@ -42,8 +48,7 @@ def oscillator(driver: Driver) -> list[Row]:
         z = start * euler * factor ** np.arange(len(run.history["time"]))
         near = (w * run.scene["time"]["end"] / 6 + 0.5) * give(run, "left")
         energy = 0.5 * m * start**2
-        lost = sum(np.cumsum(run.history[name]) for name in LOST)
-        kept = sum(run.history[name] for name in GAINED)
+        lost, kept = np.cumsum(total(run, LOST)), total(run, GAINED)
         # of an energy, the square of an amplitude, twice as much
         rows += [
             largest(
@@ -142,8 +147,7 @@ def energy_rows(run: Run, force: Array, late: float, steps: int) -> list[Row]:
     """BDF2 takes the force at the end of each step, so that its work is a sum; no error of the force exceeds `late`."""
     K, V = stiffness(run, "right"), pull_speed(run)
     work = np.cumsum(run.history["anchor_work"])
-    lost = sum(np.cumsum(run.history[name]) for name in LOST) - np.cumsum(run.history["load_work"])
-    kept = sum(run.history[name] for name in GAINED)
+    lost, kept = np.cumsum(total(run, LOST) - run.history["load_work"]), total(run, GAINED)
     k = run.scene["time"]["end"] / steps
     exact = V * k * np.cumsum(force)
     return [

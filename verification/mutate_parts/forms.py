@@ -36,6 +36,9 @@ SIGNS = (
         "convection", "forms/convection.py", "exchange = h", "exchange = -h", "sign", "a warm body is cooled"
     ),
     Mutation(
+        "spring", "forms/spring.py", "stiffness = inner(", "stiffness = -inner(", "sign", "springs pull back"
+    ),
+    Mutation(
         "elasticity", "forms/elasticity.py", "stiffness = inner(", "stiffness = -inner(", "sign", "E eps(u)"
     ),
     Mutation("friction", "forms/friction.py", "sigma_t = -law", "sigma_t = law", "sign", "friction drives"),

@@ -4,6 +4,22 @@ from .mutation import Mutation
 
 MUTATIONS = (
     Mutation(
+        "spring-anchor-work",
+        "src/model/springs.cpp",
+        "sum.of_anchors -= force.dot(anchors);",
+        "sum.of_anchors += force.dot(anchors);",
+        "sign",
+        "who pulls the far end of a spring does work",
+    ),
+    Mutation(
+        "spring-holds-nothing",
+        "src/march/balance.cpp",
+        "free_motions_->hold(*springs);",
+        "",
+        "missing",
+        "springs hold a body without inertia",
+    ),
+    Mutation(
         "friction-heat-multiplier",
         "src/model/friction_heat.cpp",
         "of.surface->multiplier->show(i);",
@@ -126,7 +142,7 @@ MUTATIONS = (
     Mutation(
         "free-motions-contact",
         "src/model/free_motions.cpp",
-        "round_off(of_law.count, of_law.farness));",
+        "round_off(quotients.count, quotients.farness));",
         "1);",
         "range",
         "closed contact holds a body",

@@ -13,12 +13,11 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-import ufl
 from dolfinx import mesh as dmesh
 
 from oracle_parts import vtu
 from oracle_parts.errors import SceneError
-from oracle_parts.portability import cell_nodes, corner_points
+from oracle_parts.portability import cell_nodes, corner_points, simplex_domain
 
 Array = npt.NDArray[Any]
 INSIDE = 1e-9  # how far outside of its cell round-off may put a point, in barycentric coordinates
@@ -55,9 +54,10 @@ def create(comm: Any, followed: FollowedMesh, dimension: int) -> Any:
         raise SceneError("mesh.refinement: the oracle follows meshes on one process only")
     corners, numbers = np.unique(followed.cells, return_inverse=True)
     kind = "triangle" if dimension == 2 else "tetrahedron"
-    element = ufl.VectorElement("Lagrange", ufl.Cell(kind, geometric_dimension=dimension), 1)
     cells = numbers.reshape(followed.cells.shape).astype(np.int64)
-    return dmesh.create_mesh(comm, cells, followed.nodes[corners, :dimension].copy(), ufl.Mesh(element))
+    return dmesh.create_mesh(
+        comm, cells, followed.nodes[corners, :dimension].copy(), simplex_domain(kind, dimension)
+    )
 
 
 def barycentric(corners: Array, points: Array) -> Array:

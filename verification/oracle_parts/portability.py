@@ -7,6 +7,7 @@ from typing import Any
 import dolfinx
 import numpy as np
 import numpy.typing as npt
+import ufl
 from dolfinx import fem
 
 
@@ -18,6 +19,16 @@ def lagrange_space(mesh: Any, degree: int, components: int = 1) -> Any:
     if components > 1:
         return fem.VectorFunctionSpace(mesh, element, dim=components)
     return fem.FunctionSpace(mesh, element)
+
+
+def simplex_domain(kind: str, dimension: int) -> Any:
+    """UFL's domain of meshes of triangles or tetrahedra with straight edges."""
+    try:
+        import basix.ufl
+    except ImportError:
+        cell = ufl.Cell(kind, geometric_dimension=dimension)
+        return ufl.Mesh(ufl.VectorElement("Lagrange", cell, 1))
+    return ufl.Mesh(basix.ufl.element("Lagrange", kind, 1, shape=(dimension,)))
 
 
 def petsc_vector(function: Any) -> Any:

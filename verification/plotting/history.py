@@ -78,3 +78,29 @@ def draw_history(cases: Sequence[Case], album: Album) -> None:
         axes.set_xlabel("t (s)")
     figure.suptitle("Contact over time")
     album.save(figure, "contact-history")
+
+
+def spring_force(axes: Any, case: Case, history: dict[str, Array], look: dict[str, str]) -> None:
+    for component, width in (("x", 1.2), ("y", 2.4)):
+        force = history[f"spring_force_{component}"]
+        if np.any(force != 0.0):
+            axes.plot(history["time"], force, label=f"{component}, {case.label}", **look, lw=width)
+
+
+def draw_springs(cases: Sequence[Case], album: Album) -> None:
+    """What springs take of a body that sticks and slips."""
+    wanted: tuple[tuple[str, str, Plot], ...] = (
+        ("Force of the body on its springs", "force (N/m)", spring_force),
+        ("Largest slip velocity where closed", "velocity (m/s)", peak_slip),
+    )
+    figure, grid = panels(1, 2, PANEL, HEIGHT, sharex=True)
+    histories = [case.results.history(("time", "spring_force_x", "spring_force_y")) for case in cases]
+    for axes, (title, label, plot) in zip(grid.flat, wanted):
+        for case, history, look in zip(cases, histories, CURVES):
+            plot(axes, case, history, look)
+        axes.set_title(title)
+        axes.set_ylabel(label)
+        axes.set_xlabel("t (s)")
+    if len(cases) > 1:
+        legend_above_curves(grid[0, 0])
+    album.save(figure, "spring-history")

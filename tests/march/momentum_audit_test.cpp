@@ -107,5 +107,15 @@ TEST(ForceAudit, SumsEachComponent) {
     EXPECT_EQ(audit_forces(sums_of(forces, rest), 2).residual(), 0.0) << "nothing happens";
 }
 
+/// Energy that comes in one part and goes in the next is no term of the row, but what its parts were solved
+/// to.
+TEST(EnergyAudit, IsRelativeToAllParts) {
+    MomentumAudit audit;
+    audit.add(0.5, {}, {}, 2.0);
+    audit.add(0.25, {}, {}, 3.0);
+    EXPECT_EQ(audit.energy_scale, 5.0);
+    EXPECT_EQ(audit.duration, 0.75);
+}
+
 }  // namespace
 }  // namespace thermocontact::march

@@ -107,12 +107,34 @@ CASES: dict[str, Flat] = {
     "theta_F = -1e8": SMALL | {f"{CONTACT}.conductance.foundation_temperature": -1e8},
     "L = 1e-6": SMALL | {f"{CONTACT}.conductance.limit": 1e-6},
     "mu = 0": SMALL | {f"{CONTACT}.friction.coefficient": 0.0},
+    "epsilon = 1e-14": SMALL | {f"{CONTACT}.friction.regularisation": 1e-14, "time.steps": 8},
     "epsilon = 1e-12": SMALL | {f"{CONTACT}.friction.regularisation": 1e-12},
     "epsilon = 1e2": SMALL | {f"{CONTACT}.friction.regularisation": 1e2},
     "epsilon = 0": SMALL | {f"{CONTACT}.friction.regularisation": 0.0},
     "slivers, crossed": SMALL | {"mesh.upper": [1e3, 1.0], "mesh.diagonal": "crossed"},
     "in space": IN_SPACE | {"time.steps": 4},
     "in space, c_n = 1e12": IN_SPACE | {"time.steps": 4, STIFFNESS: 1e12},
+    "in space, epsilon = 0": IN_SPACE | {"time.steps": 4, f"{CONTACT}.friction.regularisation": 0.0},
+    "in space, K = 1e12": IN_SPACE | {"time.steps": 4, "heat.conductivity": 1e12},
+    "in space, K = 1e-12": IN_SPACE | {"time.steps": 4, "heat.conductivity": 1e-12},
+    "c_n = 1e12, E = 1e-9": SMALL | {STIFFNESS: 1e12, "material.elasticity.young": 1e-9},
+    "c_n = 1e12, epsilon = 1e-12": SMALL | {STIFFNESS: 1e12, f"{CONTACT}.friction.regularisation": 1e-12},
+    "c_n = 1e12, mu = 10": SMALL | {STIFFNESS: 1e12, f"{CONTACT}.friction.coefficient": 10.0},
+    "epsilon = 1e-12, mu = 10": SMALL
+    | {f"{CONTACT}.friction.regularisation": 1e-12, f"{CONTACT}.friction.coefficient": 10.0},
+    "E = 1e14, c_n = 1e-3": SMALL | {"material.elasticity.young": 1e14, STIFFNESS: 1e-3},
+    "E = 1e14, viscosity 1e-8": SMALL
+    | {"material.elasticity.young": 1e14, "material.viscosity.trace": 1e-8, "material.viscosity.shear": 1e-8},
+    "rho = 1e6, step 1e-9": SMALL | {"material.density": 1e6, "time.end": 4e-9},
+    "K = 1e-12, k_c = 1e8": SMALL | {"heat.conductivity": 1e-12, CONDUCTANCE: 1e8},
+    "nu = 0.49999, E = 1e14, static": STATIC
+    | {
+        "material.elasticity.poisson": 0.49999,
+        "material.elasticity.plane": "strain",
+        "material.elasticity.young": 1e14,
+    },
+    "nu = 0.49999, held by c_n = 1": ON_A_FOUNDATION
+    | {"material.elasticity.poisson": 0.49999, "material.elasticity.plane": "strain"},
     "E = 1e4, held by c_n = 1": ON_A_FOUNDATION | {"material.elasticity.young": 1e4},
     "E = 1e6, held by c_n = 1": ON_A_FOUNDATION | {"material.elasticity.young": 1e6},
 }

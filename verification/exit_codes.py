@@ -52,6 +52,18 @@ material.elasticity = {young = 2.0, poisson = 0.1}
 load.body_force = [0.0, -1.0]
 """
 IN_SPACE = LOOSE.replace("[2, 2]", "[2, 2, 2]\nmesh.shape = 'box'").replace("[0.0, -1.0]", "[0.0, -1.0, 0.0]")
+# A body that its load begins to turn in the third of four steps: so stiff that rounding the displacement is worth forces
+TURNED = """mesh.cells = [2, 2]
+time = {end = 0.01, steps = 4}
+material = {density = 1.0, elasticity = {young = 1e15, poisson = 0.3}}
+load.body_force = ["t < 0.006 ? 0 : -1e3*(y - 0.5)", "t < 0.006 ? 0 : 1e3*(x - 0.5)"]
+output.checkpoint_every = 1
+"""
+# Coulomb's law itself: no friction at no slip, which is what a body that sticks has as well
+ABOVE_A_TABLE = """boundary.bottom.contact.gap = 1.0
+boundary.bottom.contact.compliance.stiffness = 10
+boundary.bottom.contact.friction = {coefficient = 0.5, regularisation = 0}
+"""
 ON_A_TABLE = "boundary.bottom.contact.compliance.stiffness = 10\n"
 OPENING = (
     ON_A_TABLE
@@ -239,6 +251,23 @@ class ExitCodes(ProgramTest):
         )
         self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("failed", 0))
 
+    def test_unkept_balance(self) -> None:
+        """Without contact nothing but the balance tells; the checkpoint has the step before, and goes on where less is asked."""
+        (self.folder / "turned.toml").write_text(TURNED, encoding="utf-8")
+        for strategy in ("condensed", "newton-krylov"):
+            with self.subTest(strategy=strategy):
+                words = ("--quiet", "--output", self.results, "--set", f"solver.strategy='{strategy}'")
+                message = self.call(NUMERICS_FAILED, "run", "turned.toml", *words).stderr
+                self.assert_says(
+                    message, "step 3, t = 0.0075: momentum balance: ", "keeps the balance of", "digits", "try"
+                )
+                summary: dict[str, Any] = self.summary()
+                self.assertEqual((summary["status"], summary["steps"]), ("failed", 2))
+                self.assertLessEqual(max(summary["audit"].values()), 1e-8)
+                looser = ("--set", "solver.tolerance=1e-6", "--restart", self.results / "checkpoint.h5")
+                self.call(COMPLETED, "run", "turned.toml", *words, *looser)
+                self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("completed", 4))
+
     def test_goes_on_after_numerics_failed(self) -> None:
         """A run that failed goes on from its checkpoint, with settings that let it, like one that never failed."""
         self.run_small(COMPLETED, *NONLINEAR)
@@ -302,6 +331,16 @@ class ExitCodes(ProgramTest):
                     message, "step 2, t = 1: momentum balance: ", "free to move along y,", "contact is open"
                 )
                 self.assertEqual((self.summary()["status"], self.summary()["steps"]), ("failed", 1))
+
+    def test_open_contact_holds_nothing(self) -> None:
+        scene = LOOSE.replace("[0.0, -1.0]", "[0.0, 1.0]") + ABOVE_A_TABLE
+        (self.folder / "open.toml").write_text(scene, encoding="utf-8")
+        for strategy in ("condensed", "newton-krylov"):
+            with self.subTest(strategy=strategy):
+                words = ("--quiet", "--output", self.results, "--set", f"solver.strategy='{strategy}'")
+                message = self.call(NUMERICS_FAILED, "run", "open.toml", *words).stderr
+                free = "the body is free to move along x, to move along y and to turn about (0.5, 0.5)"
+                self.assert_says(message, "the system is singular: ", free, "contact is open")
 
     def test_fewer_steps_leave_no_older_fields(self) -> None:
         self.run_small(COMPLETED)

@@ -69,7 +69,54 @@ def _bases() -> dict[str, Flat]:
     }
     exact: Flat = {**belt, f"{contact}.friction.regularisation": 0.0}
     belts = {"belt": belt, "belt, exact friction": exact}
-    return {**plane, **belts, "newton-krylov": krylov, "box": box, "mesh file": _ring()}
+    # bisected twice in the first step, from 24 cells to 392. In the plane only: mirrored tetrahedra of a box are other ones;
+    # and not renumbered: of edges equally long the numbers of their ends decide which is cut
+    refined: Flat = {
+        **plane["contact bottom"],
+        "mesh.refinement.tolerance": 0.15,
+        "mesh.refinement.every": 1,
+    }
+    return {
+        **plane,
+        **belts,
+        "newton-krylov": krylov,
+        "box": box,
+        "refined": refined,
+        "by tensors": _by_tensors(),
+        "mesh file": _ring(),
+        "regions": _ring() | REGIONS,
+    }
+
+
+# A second material, of every quantity that a region may have
+REGIONS: Flat = {
+    "region.bush.material.density": 2.5,
+    "region.bush.material.elasticity.young": 9.0,
+    "region.bush.material.elasticity.poisson": 0.2,
+    "region.bush.material.viscosity.trace": 0.3,
+    "region.bush.material.viscosity.shear": 0.8,
+    "region.bush.heat.capacity": 0.7,
+    "region.bush.heat.conductivity": 1.9,
+    "region.bush.heat.source": "1 + 20*x",
+    "region.bush.heat.thermal_stress": 0.5,
+    "region.bush.heat.strain_heating": 0.2,
+}
+
+
+def _by_tensors() -> Flat:
+    """Laws with exponent and limit, stiffness that squares keep, and steps that adapt."""
+    contact = "boundary.bottom.contact"
+    scene = without(BASES["contact bottom"], ["material.elasticity", "material.viscosity"])
+    return {
+        **scene,
+        "material.elasticity.tensor": [[6.0, 2.0, 0.0], [2.0, 6.0, 0.0], [0.0, 0.0, 2.5]],
+        "material.viscosity.tensor": [[0.8, 0.2, 0.0], [0.2, 0.8, 0.0], [0.0, 0.0, 0.4]],
+        f"{contact}.compliance.stiffness": 4000.0,
+        f"{contact}.compliance.exponent": 2.0,
+        f"{contact}.conductance.limit": 2.0,
+        "time.scheme": "bdf2",
+        "time.tolerance": 1e-2,
+    }
 
 
 def _ring() -> Flat:
@@ -100,11 +147,12 @@ STILL = Motion("", ((1, 0), (0, 1)))
 
 def sayings(keys: Keys) -> Iterator[Saying]:
     for base, scene in SCENES.items():
-        for system in systems() if base != "mesh file" else ():
+        for system in systems():
             factor = {name: system.factor(unit) for name, unit in FIELDS.items()}
             carry = Carry(lambda points, m=system.m: points * m, factor=factor.__getitem__)  # type: ignore[misc]
-            yield Saying(f"{base}: {system.name}", base, keys.in_units(scene, system), carry)
-        for motion in {"box": SPACE, "mesh file": ()}.get(base, PLANE):
+            mesh = rewriting(Motion("", ((system.m, 0), (0, system.m))), False)
+            yield Saying(f"{base}: {system.name}", base, keys.in_units(scene, system), carry, mesh)
+        for motion in {"box": SPACE, "mesh file": (), "regions": ()}.get(base, PLANE):
             yield Saying(f"{base}: {motion.name}", base, motion.scene(scene), motion.carry())
         for boost in (
             BOOSTS if base in ("contact bottom", "contact left", "belt", "belt, exact friction") else ()

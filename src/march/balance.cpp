@@ -7,7 +7,6 @@
 #include "error.h"
 #include "march/vectors.h"
 #include "number.h"
-#include "solve/continuation.h"
 #include "solve/panel_factor.h"
 #include "stopwatch.h"
 
@@ -23,20 +22,8 @@ constexpr double stiffening = 100;
 /// what the last one did, gamma grows, to `stiffest` times its first value at most.
 constexpr int soft_updates = 2;
 constexpr double slow = 0.1, growth = 10, stiffest = 1e4;
-
-std::string failure_text(const std::string& name, const solve::NewtonResult& first,
-                         const solve::ContinuationResult* ladder) {
-    std::string text = name + " balance: Newton stopped after " + std::to_string(first.iterations) +
-                       " iterations (" + solve::describe(first.end) + ", relative residual " +
-                       short_text(first.residual) + ")";
-    if (ladder != nullptr) {
-        text += std::string("; continuation in ") +
-                (name == "heat" ? "conductance.limit" : "friction.regularisation") + " stopped after " +
-                std::to_string(ladder->rungs) + " solves (" + solve::describe(ladder->newton.end) +
-                ", relative residual " + short_text(ladder->newton.residual) + ")";
-    }
-    return text;
-}
+constexpr double roundings = 10;  ///< a slip is a sum over the nodes of a facet, each rounded
+constexpr double falling = 0.5;   ///< of the change before: an update that does some good leaves less
 
 SolveReport report_of(const solve::NewtonResult& result) {
     SolveReport report{.iterations = result.iterations};
@@ -162,6 +149,7 @@ void Balance::require_held() {
 }
 
 SolveReport Balance::solve(std::vector<double>& rhs) {
+    solved_ = false;
     remove_prescribed(rhs);
     const std::vector<double> start = free_motions_ ? *unknown_ : std::vector<double>();
     Eigen::VectorXd x = timed(seconds_.triangular_solves, [&] { return problem().begin(rhs, *unknown_); });
@@ -185,9 +173,10 @@ SolveReport Balance::solve(std::vector<double>& rhs) {
     const solve::NewtonResult refined =
         timed(seconds_.triangular_solves, [&] { return problem().refine(contact_, x, *unknown_); });
     if (refined.end != solve::NewtonEnd::converged) {
-        throw StepFailure(failure_text(name_, refined, nullptr));
+        throw StepFailure(why_not(x, refined, nullptr));
     }
     report.add(report_of(refined));
+    solved_ = true;
     return report;
 }
 
@@ -198,8 +187,10 @@ solve::NewtonResult Balance::iterate(Eigen::VectorXd& x) {
 }
 
 /// Method of multipliers (forms/coulomb.py): solved for a multiplier, which then becomes the friction found,
-/// until that changes nothing. Where no point begins or ends to stick, the derivative stays as it is, and a
-/// turn costs a solve with the factors at hand.
+/// until that changes no more than rounding the slip does: relative to its own size, for a small friction on
+/// a large body is below what Newton's method is asked for. It polishes even so (Newton::polish), and where
+/// it has nothing to do and the changes fall no more, round-off is all that is left of them. Where no point
+/// begins or ends to stick, the derivative stays as it is, and a turn costs a solve with the factors at hand.
 SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
     contact_.set_slip_stiffness(systems_.front()->slip_stiffness);
     SolveReport report = solve_given_multipliers(x);
@@ -208,9 +199,13 @@ SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
     }
     double stiffness = systems_.front()->slip_stiffness, change = 0;
     const double most = stiffest * stiffness;
+    bool moved = true;
     for (int update = 0; update < most_updates; ++update) {
-        const double before = std::exchange(change, update_multipliers(x));
-        if (change <= options_.tolerance) {
+        const double before = change;
+        const MultiplierChange now = update_multipliers(x);
+        change = now.change;
+        if (change <= std::max(options_.tolerance, roundings * now.rounding) ||
+            (!moved && change > falling * before)) {
             return report;
         }
         if (update >= soft_updates && change > slow * before && stiffness < most) {
@@ -219,21 +214,22 @@ SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
         }
         const SolveReport next = solve_given_multipliers(x);
         report.add(next);
-        if (next.iterations == 0) {
-            return report;
-        }
+        moved = next.iterations > 0;
     }
     throw StepFailure(name_ + " balance: which points stick did not settle in " +
                       std::to_string(most_updates) + " updates of the friction multiplier");
 }
 
 /// By how much that changes it, relative.
-double Balance::update_multipliers(const Eigen::VectorXd& x) {
+Balance::MultiplierChange Balance::update_multipliers(const Eigen::VectorXd& x) {
     problem().evaluate_at(x, contact_);
-    const auto [change, size] = contact_.update_multipliers();
-    std::vector<double> sums{change, size};
+    const auto [change, size, rounding] = contact_.update_multipliers();
+    std::vector<double> sums{change, size, rounding};
     strategy_->team().sum(sums);
-    return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : std::sqrt(sums[0]);
+    const double fastest =
+        strategy_->team().max((x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0) + contact_.largest_foundation());
+    const double scale = sums[1] > 0 ? std::sqrt(sums[1]) : 1.0;
+    return {std::sqrt(sums[0]) / scale, std::sqrt(sums[2]) * fastest / scale};
 }
 
 SolveReport Balance::solve_given_multipliers(Eigen::VectorXd& x) {
@@ -243,7 +239,7 @@ SolveReport Balance::solve_given_multipliers(Eigen::VectorXd& x) {
         return report_of(direct);
     }
     if (!contact_.has_exact_friction() && contact_.smallest_regularisation() == 0) {
-        throw StepFailure(failure_text(name_, direct, nullptr));
+        throw StepFailure(why_not(x, direct, nullptr));
     }
     // the fastest unknown bounds the slip: friction regularised at that velocity is nearly linear; and the
     // largest difference to the foundation's temperature: conductance limited there is linear
@@ -253,7 +249,7 @@ SolveReport Balance::solve_given_multipliers(Eigen::VectorXd& x) {
     contact_.set_width_of_exact_friction(fastest / stiffening);
     const double target = contact_.smallest_regularisation();
     if (target == 0) {
-        throw StepFailure(failure_text(name_, direct, nullptr));
+        throw StepFailure(why_not(x, direct, nullptr));
     }
     const auto rung = [&](double floor, Eigen::VectorXd& value) {
         contact_.raise_regularisation(floor);
@@ -262,7 +258,7 @@ SolveReport Balance::solve_given_multipliers(Eigen::VectorXd& x) {
     const solve::ContinuationResult ladder = solve::continue_regularisation(rung, fastest, target, x);
     contact_.raise_regularisation(0);
     if (ladder.newton.end != solve::NewtonEnd::converged) {
-        throw StepFailure(failure_text(name_, direct, &ladder));
+        throw StepFailure(why_not(x, direct, &ladder));
     }
     SolveReport report = report_of(ladder.newton);
     report.iterations += direct.iterations;

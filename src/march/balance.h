@@ -14,6 +14,7 @@
 #include "model/free_motions.h"
 #include "model/nodal.h"
 #include "scene/scene.h"
+#include "solve/continuation.h"
 #include "solve/step_problem.h"
 
 namespace thermocontact::march {
@@ -87,8 +88,11 @@ class Balance {
     std::int64_t factor_entries() const { return problem().factor_entries(); }
     /// Of the system in use.
     solve::FactorUse factor_use() const { return problem().factor_use(); }
-    /// What the system in use leaves of the last solution; see solve::StepProblem.
-    std::optional<solve::Condition> condition() const { return problem().condition(*unknown_); }
+    /// What the system in use leaves of the last solution; see solve::StepProblem. Nothing where the last
+    /// solve() found none.
+    std::optional<solve::Condition> condition() const {
+        return solved_ ? problem().condition(*unknown_) : std::nullopt;
+    }
     const std::string& name() const { return name_; }
     /// A of the system in use.
     const fem::BlockMatrix& matrix() const { return systems_.front()->matrix; }
@@ -110,7 +114,13 @@ class Balance {
     SolveReport solve_contact(Eigen::VectorXd& x);
     solve::NewtonResult iterate(Eigen::VectorXd& x);
     SolveReport solve_given_multipliers(Eigen::VectorXd& x);
-    double update_multipliers(const Eigen::VectorXd& x);
+    struct MultiplierChange {
+        double change, rounding;  ///< relative to the multiplier: its change, and what rounding makes of it
+    };
+    MultiplierChange update_multipliers(const Eigen::VectorXd& x);
+    std::string why_not(const Eigen::VectorXd& x, const solve::NewtonResult& first,
+                        const solve::ContinuationResult* ladder);
+    std::string what_rounds(const Eigen::VectorXd& x, double round_off);
     std::optional<std::string> what_is_free();
     void remove_prescribed(std::vector<double>& rhs);
 
@@ -123,6 +133,7 @@ class Balance {
     const fem::Space* space_;
     solve::Strategy* strategy_;
     std::vector<double>* unknown_;
+    bool solved_ = false;                             ///< by the last solve()
     std::optional<model::FreeMotions> free_motions_;  ///< empty: inertia holds all of them
     FreeMotionWords words_{};
     StepSeconds seconds_;

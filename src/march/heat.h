@@ -46,8 +46,12 @@ class Heat {
     /// Of the completed step: what it adds to the temperature's error, where there is capacity.
     FieldError temperature_error(const State& state) const;
 
-    /// Moves the state's temperature, and what the scheme knows of its rate, to the end of the completed
-    /// step.
+    /// The balance of heat over the completed step. Throws StepFailure where it is not kept to `limit`
+    /// (audit_limit.h).
+    void examine(double limit);
+
+    /// Moves the state's temperature, and what the scheme knows of its rate, to the end of the completed and
+    /// examined step.
     void accept(State& state, const Scheme& scheme);
 
     /// theta + alpha k q, in backward Euler theta: what is known of the stage before it is solved.
@@ -82,6 +86,10 @@ class Heat {
     struct Flows {  ///< W (W/m in 2D)
         double storage, outflow, convection, reaction, load, strain, strain_rate, friction;
         double scale;  ///< the magnitude of what is summed: inflow on one side and outflow on the other count
+
+        double difference() const {
+            return storage + outflow + convection - reaction - load - strain - strain_rate - friction;
+        }
     };
     struct Audit {            ///< of the steps since the last row of the history
         double duration = 0;  ///< s
@@ -94,7 +102,7 @@ class Heat {
     };
 
     void gather_sources(const model::Motion& motion);
-    void audit();
+    void add_to_audit();
     Flows flows();
     void refer_to(const std::vector<double>* temperature);
     SolveReport solve_from_reference();
@@ -133,6 +141,7 @@ class Heat {
     Sum strain_, strain_rate_, friction_;
 
     Audit audit_;
+    Flows step_flows_{};  ///< of the step that was examined
     double audit_seconds_ = 0;
     Record record_;
     double heat_residual_ = 0;

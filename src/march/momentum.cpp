@@ -6,7 +6,6 @@
 #include "march/assembler.h"
 #include "march/course.h"
 #include "parallel/together.h"
-#include "stopwatch.h"
 
 namespace thermocontact::march {
 namespace {
@@ -48,14 +47,6 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, int dimension, doubl
     }
     springs.add_to(tau, matrix);
     return matrix;
-}
-
-/// What the scheme dissipates at one unknown, twice: `motion` is the change of the value over the step,
-/// `force` that of the force, `carried` the force of y_hat less that of y (momentum_audit.h).
-double twice_dissipated(const StepRule& rule, double motion, double stage, double force, double carried) {
-    const double lambda = rule.tau / (rule.alpha * rule.step);
-    return (2 * rule.alpha - 1) * motion * force +
-           2 * stage * ((1 / lambda - 1) * force - carried / (lambda * rule.alpha));
 }
 
 }  // namespace
@@ -171,10 +162,7 @@ SolveReport Momentum::solve(const std::vector<double>& temperature) {
 }
 
 void Momentum::accept(State& state, const Scheme& scheme) {
-    timed(audit_seconds_, [&] {
-        apply_to_new_state();
-        audit(state);
-    });
+    audit_.add(rule_.step, step_energies_, step_sums_, step_energy_scale_);
     renew_rates(scheme, rule_, state.displacement, new_displacement_, state.displacement_rate,
                 state.displacement_curvature);
     renew_rates(scheme, rule_, state.velocity, new_velocity_, state.velocity_rate, state.velocity_curvature);
@@ -234,91 +222,6 @@ FieldError Momentum::velocity_error(const State& state) const {
     const auto estimate = error_estimate(rule_, state.curvature_lag, state.velocity, new_velocity_,
                                          state.velocity_rate, state.velocity_curvature);
     return {estimate.empty() ? 0.0 : velocity_norm(estimate), velocity_norm(new_velocity_)};
-}
-
-MomentumForces Momentum::collect_forces() {
-    balance_->contact().nodal_forces("compliance", compliance_);
-    balance_->contact().nodal_forces("friction", friction_);
-    const std::vector<double>& base_mass_w = base().mass_w;
-    for (std::size_t i = 0; i < inertia_.size(); ++i) {
-        const double mass_change = now_.mass_w[i] - old_.mass_w[i];
-        inertia_[i] = (rule_.alpha * mass_change - (base_mass_w[i] - old_.mass_w[i])) / rule_.tau;
-    }
-    if (!springs_.empty()) {
-        std::ranges::fill(spring_, 0.0);
-        springs_.add_forces(1, stage_displacement_, spring_);
-    }
-    for (const std::int32_t dof : balance_->prescribed().dofs()) {
-        const auto i = static_cast<std::size_t>(dof);
-        const double elastic =
-            old_.stiffness_u[i] + rule_.alpha * (now_.stiffness_u[i] - old_.stiffness_u[i]);
-        reaction_[i] =
-            inertia_[i] + viscous_[i] + elastic - thermal_[i] + compliance_[i] + friction_[i] - (*load_)[i];
-        reaction_[i] += springs_.empty() ? 0.0 : spring_[i];
-    }
-    const auto view = [](const std::vector<double>& v) { return as_eigen(v); };
-    return {view(inertia_),  view(viscous_), view(thermal_),  view(compliance_),
-            view(friction_), view(*load_),   view(reaction_), view(spring_)};
-}
-
-Energies Momentum::energies(const State& old) const {
-    Energies sums;  // at shared nodes each process holds a part of M w and K u, so that the sums add up
-    const Products& base = this->base();
-    for (std::size_t i = 0; i < stage_velocity_.size(); ++i) {
-        const double mass_change = now_.mass_w[i] - old_.mass_w[i],
-                     stiffness_change = now_.stiffness_u[i] - old_.stiffness_u[i];
-        const double motion = motion_of(i, old);
-        sums.kinetic_old += old.velocity[i] * old_.mass_w[i];
-        sums.kinetic += new_velocity_[i] * now_.mass_w[i];
-        sums.kinetic_numerical +=
-            twice_dissipated(rule_, new_velocity_[i] - old.velocity[i], stage_velocity_[i], mass_change,
-                             base.mass_w[i] - old_.mass_w[i]);
-        sums.strain_old += old.displacement[i] * old_.stiffness_u[i];
-        sums.strain += new_displacement_[i] * now_.stiffness_u[i];
-        sums.strain_numerical += twice_dissipated(rule_, motion, stage_displacement_[i], stiffness_change,
-                                                  base.stiffness_u[i] - old_.stiffness_u[i]);
-    }
-    for (double Energies::*sum : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical,
-                                  &Energies::strain_old, &Energies::strain, &Energies::strain_numerical}) {
-        sums.*sum /= 2;
-    }
-    const model::Springs::Work work =
-        springs_.work({old.displacement, stage_displacement_, new_displacement_,
-                       [&](std::size_t i) { return motion_of(i, old); },
-                       [&](std::size_t i) { return rule_.step * stage_velocity_[i]; }});
-    sums.spring_old = work.old;
-    sums.spring = work.now;
-    sums.spring_numerical = work.numerical;
-    sums.anchors = work.of_anchors;
-    return team_->summed(sums);
-}
-
-/// u_n - u_(n-1); of a body that has moved far, the difference would have fewer digits.
-double Momentum::motion_of(std::size_t i, const State& old) const {
-    return (rule_.tau * stage_velocity_[i] + (base_displacement_[i] - old.displacement[i])) / rule_.alpha;
-}
-
-void Momentum::audit(const State& old) {
-    const MomentumForces forces = collect_forces();
-    MomentumSums sums = sum_up(forces, as_eigen(std::as_const(stage_velocity_)), dimension_);
-    sums.foundation_power = balance_->contact().power_of_foundations();
-    audit_.add(rule_.step, energies(old), team_->summed(sums));
-}
-
-void Momentum::close_audit(const State& state) {
-    const Audit energy = audit_energy(audit_.energies, audit_.sums, audit_.duration);
-    const Audit force = audit_forces(audit_.sums, dimension_);
-    energy_residual_ = energy.residual;
-    force_residual_ = force.residual;
-    // |w|^2 = 2 KE / rho spares a product
-    const double speed = std::sqrt(2 * audit_.energies.kinetic / density_.value_or(1.0));
-    record_ = {{"velocity_l2", density_ ? speed : velocity_norm(state.velocity)},
-               {"displacement_strain_l2", std::sqrt(std::max(0.0, team_->sum(strain_square_)))}};
-    record_.insert(record_.end(), energy.terms.begin(), energy.terms.end());
-    record_.emplace_back("energy_residual", energy_residual_);
-    record_.insert(record_.end(), force.terms.begin(), force.terms.end());
-    record_.emplace_back("force_residual", force_residual_);
-    drop_audit();
 }
 
 double Momentum::velocity_norm(const std::vector<double>& w) const {

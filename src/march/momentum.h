@@ -46,8 +46,12 @@ class Momentum {
     FieldError deformation_error(const State& state) const;
     FieldError velocity_error(const State& state) const;
 
+    /// The balances of energy and force over the completed step. Throws StepFailure where one is not kept to
+    /// `limit` (audit_limit.h): such a step is not solved, whatever Newton's method said.
+    void examine(const State& state, double limit);
+
     /// Moves the state's displacement and velocity, and what the scheme knows of their rates, to the end of
-    /// the completed step, and adds the step to the audit.
+    /// the completed and examined step, and adds the step to the audit.
     void accept(State& state, const Scheme& scheme);
 
     /// Displacement and velocity at the stage, from solve(); their addresses stay.
@@ -97,7 +101,7 @@ class Momentum {
     MomentumForces collect_forces();
     Energies energies(const State& old) const;
     double motion_of(std::size_t i, const State& old) const;
-    void audit(const State& old);
+    std::string what_is_lost(const std::string& which, double residual, double limit) const;
     bool rates_matter() const;
     /// (E eps(u), eps(u))^(1/2).
     double elastic_norm(std::vector<double> u) const;
@@ -129,6 +133,9 @@ class Momentum {
     double strain_square_ = 0;     ///< of the new state, |eps(u)|^2, of this process
 
     MomentumAudit audit_;
+    Energies step_energies_;  ///< of the step that was examined
+    MomentumSums step_sums_;  ///< likewise
+    double step_energy_scale_ = 0;
     double audit_seconds_ = 0;
     Record record_;
     double energy_residual_ = 0, force_residual_ = 0;

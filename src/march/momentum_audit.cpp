@@ -7,8 +7,8 @@
 namespace thermocontact::march {
 namespace {
 
-/// sum(left) - sum(right) against the sum of all magnitudes; `extra` belongs to the left but is not reported.
-double relative_difference(const Record& left, const Record& right, double extra) {
+/// sum(left) - sum(right), and the sum of all magnitudes; `extra` belongs to the left but is not reported.
+Audit difference_of(const Record& left, const Record& right, double extra) {
     double difference = extra, scale = std::abs(extra);
     for (const auto& [name, value] : left) {
         difference += value;
@@ -18,7 +18,7 @@ double relative_difference(const Record& left, const Record& right, double extra
         difference -= value;
         scale += std::abs(value);
     }
-    return scale > 0 ? std::abs(difference) / scale : 0.0;
+    return {left, difference, scale};
 }
 
 template <int components>
@@ -62,7 +62,9 @@ MomentumSums sum_up(const MomentumForces& forces, const ConstVectorMap& velocity
     return sums;
 }
 
-void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums& of_forces) {
+void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums& of_forces,
+                        double scale_of_energy) {
+    energy_scale += scale_of_energy;
     if (duration == 0) {
         duration = step;
         energies = of_step;
@@ -71,6 +73,7 @@ void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums
     }
     energies.kinetic = of_step.kinetic;
     energies.strain = of_step.strain;
+    energies.stored = of_step.stored;
     energies.kinetic_numerical += of_step.kinetic_numerical;
     energies.spring = of_step.spring;
     energies.strain_numerical += of_step.strain_numerical;
@@ -89,6 +92,7 @@ void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums
         }
     }
     sums.foundation_power = before * sums.foundation_power + now * of_forces.foundation_power;
+    sums.momentum_rate = before * sums.momentum_rate + now * of_forces.momentum_rate;
     duration += step;
 }
 
@@ -110,30 +114,31 @@ Audit audit_energy(const Energies& energies, const MomentumSums& sums, double st
                        {"foundation_work", foundation_work},
                        {"anchor_work", energies.anchors}};
     const double stored_before = energies.kinetic_old + energies.strain_old + energies.spring_old;
-    Audit audit{left, relative_difference(left, right, -stored_before)};
+    Audit audit = difference_of(left, right, -stored_before);
+    audit.scale += worth_of_round_off(energies.stored);
     audit.terms.insert(audit.terms.end(), right.begin(), right.end());
     return audit;
 }
 
 Audit audit_forces(const MomentumSums& sums, int components) {
-    Audit audit{{}, 0.0};
-    // the magnitude of what is summed: loads that balance each other still count
-    const double scale = sums.inertia.magnitude + sums.compliance.magnitude + sums.friction.magnitude +
-                         sums.load.magnitude + sums.reaction.magnitude + sums.spring.magnitude;
-    double difference = 0;
+    Audit audit{{}, 0.0, 0.0};
+    // the magnitude of what is summed: loads that balance each other still count. Inner forces are not
+    // summed, but a node's balance is solved beside them
+    audit.scale = sums.inertia.magnitude + sums.compliance.magnitude + sums.friction.magnitude +
+                  sums.load.magnitude + sums.reaction.magnitude + sums.spring.magnitude +
+                  worth_of_round_off(sums.momentum_rate + sums.viscous.magnitude + sums.thermal.magnitude);
     for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
         const std::string axis(1, "xyz"[c]);
         const double inertia = sums.inertia.resultant[c], load = sums.load.resultant[c],
                      contact = sums.compliance.resultant[c] + sums.friction.resultant[c],
                      reaction = sums.reaction.resultant[c], spring = sums.spring.resultant[c];
-        difference += std::abs(inertia + contact + spring - load - reaction);
+        audit.difference += std::abs(inertia + contact + spring - load - reaction);
         audit.terms.insert(audit.terms.end(), {{"inertia_force_" + axis, inertia},
                                                {"contact_force_" + axis, contact},
                                                {"spring_force_" + axis, spring},
                                                {"load_force_" + axis, load},
                                                {"reaction_force_" + axis, reaction}});
     }
-    audit.residual = scale > 0 ? difference / scale : 0.0;
     return audit;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "march/audit_limit.h"
 #include "march/state.h"
 #include "march/vectors.h"
 
@@ -26,6 +27,7 @@ struct ForceSums {
 struct MomentumSums {
     ForceSums inertia, viscous, thermal, compliance, friction, load, reaction, spring;
     double foundation_power = 0;  ///< of sigma_t with v_F, W: what moving foundations do on the body
+    double momentum_rate = 0;     ///< sum of |M w|/tau over all nodes and components, N
 };
 
 /// Sums of all forces in one pass over the nodes; velocity [nodes][components].
@@ -37,12 +39,15 @@ struct Energies {
     double strain_old = 0, strain = 0, strain_numerical = 0;
     double spring_old = 0, spring = 0, spring_numerical = 0;
     double anchors = 0;  ///< work of those who move the springs' far ends (model/springs.h)
+    double stored = 0;   ///< sum of |u| |E eps(u)| over all nodes and components
 };
 
-/// Named terms, and their sum relative to their magnitudes.
+/// Named terms, what their sum should not be, and the magnitude of what is summed (audit_limit.h).
 struct Audit {
     Record terms;
-    double residual;
+    double difference, scale;
+
+    double residual() const { return relative(difference, scale); }
 };
 
 /// KE_n - KE_{n-1} + D(M, w) + SE_n - SE_{n-1} + D(E, u) + viscous + compliance + friction
@@ -68,11 +73,12 @@ Audit audit_forces(const MomentumSums& sums, int components);
 
 /// What the steps since the last row of the history have added up to.
 struct MomentumAudit {
-    double duration = 0;  ///< s
-    Energies energies;    ///< the first old ones, the last new ones, and the sum of what was dissipated
-    MomentumSums sums;    ///< means over the time
+    double duration = 0;      ///< s
+    Energies energies;        ///< the first old ones, the last new ones, and the sum of what was dissipated
+    MomentumSums sums;        ///< means over the time
+    double energy_scale = 0;  ///< sum of those of the steps: between two rows energy may come and go
 
-    void add(double step, const Energies& of_step, const MomentumSums& of_forces);
+    void add(double step, const Energies& of_step, const MomentumSums& of_forces, double scale_of_energy);
 };
 
 }  // namespace thermocontact::march

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "error.h"
+#include "march/audit_limit.h"
 #include "march/course.h"
 #include "mesh/shapes.h"
 #include "model/nodal.h"
-#include "number.h"
 #include "parallel/together.h"
 #include "parallel/whole.h"
 #include "solve/available_memory.h"
@@ -162,7 +162,15 @@ void Simulation::solve(const StepRule& rule, StepCounts& counts) {
     }
 }
 
+/// The state has not changed where it throws.
 void Simulation::accept(const StepRule& rule, StepCounts& counts) {
+    const double limit = audit_limit(scene_->solver.tolerance);
+    if (momentum_) {
+        momentum_->examine(state_, limit);
+    }
+    if (heat_) {
+        heat_->examine(limit);
+    }
     if (momentum_) {
         momentum_->accept(state_, scheme_);
     }
@@ -335,19 +343,6 @@ Simulation::Stored Simulation::stored() const {
         stored.heat = heat_->content(state_);
     }
     return stored;
-}
-
-void Simulation::give_up(const State& before, const Subdivision& parts, const std::string& reason) {
-    take_up(before);
-    const int step = state_.step + 1;
-    std::string tried;
-    if (parts.failures() > 0) {
-        tried = "; tried " + std::to_string(parts.failures()) + " times, down to 1/" +
-                std::to_string(static_cast<int>(1 / parts.smallest())) + " of the step" +
-                "; try more time.steps, a larger friction.regularisation, or more solver.max_iterations";
-    }
-    throw NumericsError("step " + std::to_string(step) + ", t = " +
-                        short_text(scene_->time.end * step / scene_->time.steps) + ": " + reason + tried);
 }
 
 void Simulation::count_step(const StepCounts& counts) {

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error.h"
 #include "march/simulation.h"
+#include "number.h"
 
 namespace thermocontact::march {
 
@@ -65,6 +67,23 @@ std::map<std::string, model::ContactMeasures> Simulation::contact_measures() {
         result[surfaces_[i]->name] = probes_[i]->measure(team());
     }
     return result;
+}
+
+void Simulation::give_up(const State& before, const Subdivision& parts, const std::string& reason) {
+    take_up(before);
+    const int step = state_.step + 1;
+    std::string tried;
+    if (parts.failures() > 0) {
+        tried = "; tried " + std::to_string(parts.failures()) + " times, down to 1/" +
+                std::to_string(static_cast<int>(1 / parts.smallest())) + " of the step";
+        if (reason.find("; try ") == std::string::npos) {
+            tried += std::string("; try more time.steps, ") +
+                     (reason.starts_with("heat") ? "" : "a larger friction.regularisation, ") +
+                     "or more solver.max_iterations";
+        }
+    }
+    throw NumericsError("step " + std::to_string(step) + ", t = " +
+                        short_text(scene_->time.end * step / scene_->time.steps) + ": " + reason + tried);
 }
 
 Record Simulation::norms() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fem/block_matrix.h"
 
@@ -129,6 +130,8 @@ FacetTerm::MultiplierChange FacetTerm::update_multipliers() {
             result.change += (now[i] - before[i]) * (now[i] - before[i]);
             result.size += now[i] * now[i];
         }
+        const double rounded = std::numeric_limits<double>::epsilon() / 2 * slip_stiffness_;
+        result.rounding += static_cast<double>(now.size()) * rounded * rounded;
     }
     return result;
 }
@@ -232,25 +235,63 @@ void FacetTerm::visit_derivative(const Eigen::VectorXd& x, const Piece& visit) {
 void FacetTerm::add_sensitivity(const Eigen::VectorXd& x, Eigen::VectorXd& noise) {
     scatter(x);
     for (std::size_t law = 0; law < laws_.size(); ++law) {
-        if (laws_[law].datum == nullptr) {
-            continue;
-        }
-        const double step = laws_[law].name == "compliance" ? step_ : 1.0;  // dF/dw is k dF/du
-        visit_derivative_of(law, [&](std::span<const std::int32_t> dofs, std::span<const double> values) {
-            for (std::size_t i = 0; i < dofs.size(); ++i) {
-                const std::int32_t row = index_[static_cast<std::size_t>(dofs[i])];
-                for (std::size_t j = 0; j < dofs.size() && row >= 0; ++j) {
-                    const double datum = (*laws_[law].datum)[static_cast<std::size_t>(dofs[j])];
-                    noise[row] += std::abs(values[i * dofs.size() + j] / step * datum);
-                }
-            }
-        });
+        add_sensitivity_of(law, noise);
     }
+}
+
+void FacetTerm::add_sensitivity_of(std::size_t law, Eigen::VectorXd& noise) {
+    if (laws_[law].datum != nullptr) {
+        const double step = laws_[law].name == "compliance" ? step_ : 1.0;  // dF/dw is k dF/du
+        add_product_of_magnitudes(law, 1 / step, *laws_[law].datum, noise);
+    }
+}
+
+/// |factor dF/dx| |values| of one law.
+void FacetTerm::add_product_of_magnitudes(std::size_t law, double factor, const std::vector<double>& values,
+                                          Eigen::VectorXd& sum) {
+    visit_derivative_of(law, [&](std::span<const std::int32_t> dofs, std::span<const double> derivative) {
+        for (std::size_t i = 0; i < dofs.size(); ++i) {
+            const std::int32_t row = index_[static_cast<std::size_t>(dofs[i])];
+            for (std::size_t j = 0; j < dofs.size() && row >= 0; ++j) {
+                const double value = values[static_cast<std::size_t>(dofs[j])];
+                sum[row] += std::abs(factor * derivative[i * dofs.size() + j] * value);
+            }
+        }
+    });
+}
+
+std::vector<double> FacetTerm::magnitudes(const Eigen::VectorXd& x) {
+    scatter(x);
+    std::vector<double> result;
+    for (std::size_t law = 0; law < laws_.size(); ++law) {
+        Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.size());
+        add_product_of_magnitudes(law, 1, *unknown_, sum);
+        add_sensitivity_of(law, sum);
+        result.push_back(sum.lpNorm<1>());
+    }
+    return result;
+}
+
+/// Whether the compliance of the surface that exact friction acts on has a derivative on the facet.
+bool FacetTerm::presses(const mesh::Facet& facet, std::size_t friction) {
+    const auto compliance = std::ranges::find_if(laws_, [&](const Law& law) {
+        return law.name == "compliance" && law.facets == laws_[friction].facets;
+    });
+    if (compliance == laws_.end()) {
+        return true;
+    }
+    const auto size = space_->dofmap.of(facet.cell).size() * static_cast<std::size_t>(components_);
+    std::vector<double> derivative(size * size, 0.0);
+    compliance->jacobian->add_facet(facet, derivative);
+    return std::ranges::any_of(derivative, [](double entry) { return entry != 0; });
 }
 
 void FacetTerm::visit_derivative_of(std::size_t law, const Piece& visit) {
     std::vector<std::int32_t> dofs;
     for_facets(laws_[law], [&](const mesh::Facet& facet, std::size_t) {
+        if (laws_[law].multiplier != nullptr && !presses(facet, law)) {
+            return;
+        }
         dofs.clear();
         for (const std::int32_t node : space_->dofmap.of(facet.cell)) {
             for (std::int32_t c = 0; c < components_; ++c) {

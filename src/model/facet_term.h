@@ -46,9 +46,10 @@ class FacetTerm : public solve::NonlinearTerm {
     /// Says that exact friction turns round over slip velocities of about `width` (m/s), for continuation.
     void set_width_of_exact_friction(double width);
 
-    /// lam := -sigma_t at the present values of the field. Sums of squares of this part's changes and values.
+    /// lam := -sigma_t at the present values of the field. Sums of squares of this part's changes and values,
+    /// and of what rounding velocities of 1 m/s makes of gamma times the slip.
     struct MultiplierChange {
-        double change = 0, size = 0;
+        double change = 0, size = 0, rounding = 0;
     };
     MultiplierChange update_multipliers();
 
@@ -72,8 +73,16 @@ class FacetTerm : public solve::NonlinearTerm {
     /// theta_F: |dF/dtheta_F| |theta_F|.
     void add_sensitivity(const Eigen::VectorXd& x, Eigen::VectorXd& noise) override;
 
+    /// What the entries of F change by, at most, for a relative change of 1 of x and of the data of
+    /// add_sensitivity(), summed law by law over this part; laws in the order in which they were added.
+    std::vector<double> magnitudes(const Eigen::VectorXd& x);
+
+    /// "compliance", "friction", "conductance".
+    const std::string& law_name(std::size_t law) const { return laws_[law].name; }
+
     /// dF/dx of one law, in the order in which they were added, at the present values of the field; the
-    /// unknowns of its pieces are dofs, prescribed ones included.
+    /// unknowns of its pieces are dofs, prescribed ones included. Of exact friction only where contact
+    /// presses: where it is open, the derivative of no friction at no slip is that of sticking.
     void visit_derivative_of(std::size_t law, const Piece& visit);
 
     /// Forces of one law ("compliance") at the current unknown into `forces` [nodes][components], prescribed
@@ -101,6 +110,10 @@ class FacetTerm : public solve::NonlinearTerm {
     template <typename Visit>
     static void for_facets(const Law& law, Visit&& visit);
 
+    void add_sensitivity_of(std::size_t law, Eigen::VectorXd& noise);
+    void add_product_of_magnitudes(std::size_t law, double factor, const std::vector<double>& values,
+                                   Eigen::VectorXd& sum);
+    bool presses(const mesh::Facet& facet, std::size_t friction);
     void scatter(const Eigen::VectorXd& x);
     void unknowns_of(const mesh::Facet& facet);
 

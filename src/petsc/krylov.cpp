@@ -196,9 +196,11 @@ bool KrylovProblem::is_round_off(solve::NonlinearTerm& F, const Residual& curren
     PetscReal rest = 0, forces = 0;
     check(VecNorm(residual_, NORM_1, &rest));
     check(VecNorm(nonlinear_, NORM_1, &forces));
-    if (!solve::may_be_round_off(current.relative, rest, has_contact_ ? forces : 0.0, options_.tolerance)) {
-        return false;
-    }
+    return solve::may_be_round_off(current.relative, rest, has_contact_ ? forces : 0.0, options_.tolerance) &&
+           current.norm <= round_off(F);
+}
+
+double KrylovProblem::round_off(solve::NonlinearTerm& F) {
     local_ = solve::product_of_magnitudes(*matrix_, local_x_);
     for (double& value : local_x_) {
         value = std::abs(value);
@@ -211,7 +213,7 @@ bool KrylovProblem::is_round_off(solve::NonlinearTerm& F, const Residual& curren
     }
     free_only(local_);
     vectors_.add_up(local_, linear_);
-    return current.norm <= std::numeric_limits<double>::epsilon() * norm(linear_);
+    return std::numeric_limits<double>::epsilon() * norm(linear_);
 }
 
 /// What Newton's last step leaves is anything below the tolerance: one more, of a few iterations, brings it
@@ -263,8 +265,11 @@ solve::NewtonResult KrylovProblem::solve(solve::NonlinearTerm& F, Eigen::VectorX
         }
         const auto excused = [&] { return is_round_off(F, current); };
         const auto stalled = [&](NewtonEnd end) -> solve::NewtonResult {
-            const bool done = excused();
-            return {done ? NewtonEnd::converged : end, iteration, current.relative, done};
+            if (excused()) {
+                return {NewtonEnd::converged, iteration, current.relative, true};
+            }
+            residual(F, x_);
+            return {end, iteration, current.relative, false, current.relative * round_off(F) / current.norm};
         };
         if (iteration == options_.max_iterations) {
             return stalled(NewtonEnd::too_many_iterations);

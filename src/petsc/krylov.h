@@ -41,6 +41,7 @@ class KrylovProblem final : public solve::StepProblem {
     void polish(solve::NonlinearTerm& F, Residual& current);
     double goal() const;
     bool is_round_off(solve::NonlinearTerm& F, const Residual& current);
+    double round_off(solve::NonlinearTerm& F);
     bool estimate_is_cheap() const;
     Eigen::VectorXd whole(const std::vector<double>& local, bool adds_up) const;
     std::optional<Eigen::VectorXd> solve_whole(const Eigen::VectorXd& rhs, bool transposed);

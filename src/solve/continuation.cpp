@@ -36,6 +36,8 @@ ContinuationResult continue_regularisation(
             factor = std::sqrt(factor);
         }
         if (rung == most_rungs) {
+            // what the last rung solves is another problem than the one asked for
+            result.end = NewtonEnd::not_reached;
             return {result, rung};
         }
         floor = std::max(solved * factor, target);

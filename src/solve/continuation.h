@@ -15,7 +15,8 @@ struct ContinuationResult {
 
 /// `solve(floor, x)` solves with every regularisation raised to at least `floor`, from x. The ladder starts
 /// at `start` from the value in x, and each rung is a tenth of the one before; a rung that fails is tried
-/// again closer to the last. Ends with floor = target, or with the failure.
+/// again closer to the last. Converged only at floor = target; else the end of the last rung that failed, or
+/// not_reached after 200 rungs.
 ContinuationResult continue_regularisation(
     const std::function<NewtonResult(double floor, Eigen::VectorXd& x)>& solve, double start, double target,
     Eigen::VectorXd& x);

@@ -31,6 +31,8 @@ const char* describe(NewtonEnd end) {
             return "a singular Newton matrix";
         case NewtonEnd::not_solved:
             return "a linear system that its iteration did not solve";
+        case NewtonEnd::not_reached:
+            return "the value asked for was not reached";
     }
     return "";
 }
@@ -118,17 +120,21 @@ std::optional<double> Newton::condition(const Eigen::VectorXd& x) const {
 }
 
 bool Newton::is_round_off(const Eigen::VectorXd& x, NonlinearTerm& F, const Residual& current) {
-    if (derivative_.size() == 0) {
-        return false;  // no iteration was allowed yet: nothing is known of T
-    }
     F.evaluate(x, nonlinear_);
     if (!may_be_round_off(current.relative, current.value.lpNorm<1>(), nonlinear_.lpNorm<1>(),
                           options_.tolerance)) {
         return false;
     }
+    return current.norm <= round_off(x, F);
+}
+
+double Newton::round_off(const Eigen::VectorXd& x, NonlinearTerm& F) const {
+    if (derivative_.size() == 0) {
+        return 0;  // no iteration was allowed yet: nothing is known of T
+    }
     Eigen::VectorXd noise = derivative_.cwiseAbs() * x.cwiseAbs();
     F.add_sensitivity(x, noise);
-    return current.norm <= std::numeric_limits<double>::epsilon() * noise.norm();
+    return std::numeric_limits<double>::epsilon() * noise.norm();
 }
 
 void Newton::polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x,
@@ -166,8 +172,11 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
             return {NewtonEnd::converged, iteration, current.relative};
         }
         const auto stalled = [&](NewtonEnd end) -> NewtonResult {
-            const bool done = is_round_off(x, F, current);
-            return {done ? NewtonEnd::converged : end, iteration, current.relative, done};
+            if (is_round_off(x, F, current)) {
+                return {NewtonEnd::converged, iteration, current.relative, true};
+            }
+            return {end, iteration, current.relative, false,
+                    current.relative * round_off(x, F) / current.norm};
         };
         if (iteration == options_.max_iterations) {
             return stalled(NewtonEnd::too_many_iterations);

@@ -51,7 +51,8 @@ enum class NewtonEnd {
     line_search_failed,
     not_finite,
     singular,
-    not_solved
+    not_solved,
+    not_reached
 };
 
 struct NewtonResult {
@@ -59,6 +60,7 @@ struct NewtonResult {
     int iterations;             ///< updates of x
     double residual;            ///< relative, as in NewtonOptions
     bool at_round_off = false;  ///< converged, with a residual beyond the tolerance that is round-off
+    double round_off = 0;       ///< where not converged: what rounding is worth, relative to the same terms
 };
 
 /// S + dF/dx where a Newton iteration factored it last, by its entries that differ from S.
@@ -108,8 +110,11 @@ class Newton {
         double linear_norm, nonlinear_norm;  ///< |S x|, |F(x)|
     };
 
-    /// Whether the residual is what rounding x, and the displacement that the gap is computed from, perturb
-    /// it by: eps (|T| |x| + |dF/du| |u|) with T the current derivative. Friction of stiffness mu p / epsilon
+    /// What rounding x, and the displacement that the gap is computed from, perturb the residual by: eps (|T|
+    /// |x| + |dF/du| |u|) with T the current derivative; 0 where there is none yet.
+    double round_off(const Eigen::VectorXd& x, NonlinearTerm& F) const;
+
+    /// Whether the residual is round-off. Friction of stiffness mu p / epsilon
     /// magnifies the last bit of a slip velocity, compliance that of a displacement, and no iterate can be
     /// better. Never where it is more than may_be_round_off() allows.
     bool is_round_off(const Eigen::VectorXd& x, NonlinearTerm& F, const Residual& current);

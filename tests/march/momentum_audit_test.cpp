@@ -61,7 +61,7 @@ Energies energies_of(const OwnedForces& forces) {
 
 TEST(EnergyAudit, VanishesWhereTheForcesBalance) {
     const OwnedForces forces = balanced();
-    EXPECT_LE(audit_energy(energies_of(forces), sums_of(forces), step).residual, 1e-15);
+    EXPECT_LE(audit_energy(energies_of(forces), sums_of(forces), step).residual(), 1e-15);
 }
 
 TEST(EnergyAudit, SeesEveryTerm) {
@@ -73,14 +73,14 @@ TEST(EnergyAudit, SeesEveryTerm) {
           &Energies::spring_numerical, &Energies::anchors}) {
         Energies wrong = energies;
         wrong.*term += 0.01;
-        EXPECT_GT(audit_energy(wrong, sums_of(forces), step).residual, 1e-4);
+        EXPECT_GT(audit_energy(wrong, sums_of(forces), step).residual(), 1e-4);
     }
     for (Eigen::VectorXd OwnedForces::*term :
          {&OwnedForces::viscous, &OwnedForces::thermal, &OwnedForces::compliance, &OwnedForces::friction,
           &OwnedForces::load, &OwnedForces::reaction}) {
         OwnedForces wrong = forces;
         (wrong.*term)[0] += 0.01;
-        EXPECT_GT(audit_energy(energies, sums_of(wrong), step).residual, 1e-4);
+        EXPECT_GT(audit_energy(energies, sums_of(wrong), step).residual(), 1e-4);
     }
 }
 
@@ -98,20 +98,32 @@ TEST(ForceAudit, SumsEachComponent) {
     forces.load = vector({4.5, 0, 0, 4});
     forces.reaction = vector({0, 0, -4, 10});
     const Audit audit = audit_forces(sums_of(forces, rest), 2);
-    EXPECT_EQ(audit.residual, 0.0);
+    EXPECT_EQ(audit.residual(), 0.0);
     const Record expected{{"inertia_force_x", 4},  {"contact_force_x", -4},  {"spring_force_x", 0.5},
                           {"load_force_x", 4.5},   {"reaction_force_x", -4}, {"inertia_force_y", 6},
                           {"contact_force_y", 10}, {"spring_force_y", -2},   {"load_force_y", 4},
                           {"reaction_force_y", 10}};
     EXPECT_EQ(audit.terms, expected);
-    forces.reaction[3] += 0.5;  // of nodal magnitudes 10 + 10 + 4 + 4.5 + 8.5 + 14.5
-    EXPECT_DOUBLE_EQ(audit_forces(sums_of(forces, rest), 2).residual, 0.5 / 51.5);
+    // of nodal magnitudes 10 + 10 + 4 + 4.5 + 8.5 + 14.5, and what 12 of inner forces are worth
+    forces.reaction[3] += 0.5;
+    EXPECT_DOUBLE_EQ(audit_forces(sums_of(forces, rest), 2).residual(),
+                     0.5 / (51.5 + worth_of_round_off(12)));
     for (Eigen::VectorXd OwnedForces::*term :
          {&OwnedForces::inertia, &OwnedForces::viscous, &OwnedForces::thermal, &OwnedForces::compliance,
           &OwnedForces::friction, &OwnedForces::spring, &OwnedForces::load, &OwnedForces::reaction}) {
         forces.*term = rest;
     }
-    EXPECT_EQ(audit_forces(sums_of(forces, rest), 2).residual, 0.0) << "nothing happens";
+    EXPECT_EQ(audit_forces(sums_of(forces, rest), 2).residual(), 0.0) << "nothing happens";
+}
+
+/// Energy that comes in one part and goes in the next is no term of the row, but what its parts were solved
+/// to.
+TEST(EnergyAudit, IsRelativeToAllParts) {
+    MomentumAudit audit;
+    audit.add(0.5, {}, {}, 2.0);
+    audit.add(0.25, {}, {}, 3.0);
+    EXPECT_EQ(audit.energy_scale, 5.0);
+    EXPECT_EQ(audit.duration, 0.75);
 }
 
 }  // namespace

@@ -67,6 +67,8 @@ def _oracle_folder(row: "Row") -> Path:
 
 def _opinion(row: "Row", driver: Driver) -> Opinion:
     directory = row.ended.directory
+    if _divided(directory):
+        return Opinion("nobody", True, "steps were taken in parts: another discretisation in time")
     nudged = driver.run(directory.name + "-nudged", _nudged(row.case.scene))
     sensitivity = change(directory, nudged.directory)[0] if nudged.code == 0 else 1.0
     allowed = AGREEMENT + ALLOWANCE * sensitivity
@@ -77,7 +79,7 @@ def _opinion(row: "Row", driver: Driver) -> Opinion:
         by, other = "other settings", ended.directory
         if ended.code != 0:
             return Opinion("nobody", True, f"{failure}; driver at other settings: {ended.text()}")
-    if by == "other settings" and (_divided(directory) or _divided(other)):
+    if by == "other settings" and _divided(other):
         return Opinion("nobody", True, f"{failure}; other settings took the steps in other parts")
     rounded = _rounded_flow(row.case.scene, directory)
     excess, difference, where, bound = max(

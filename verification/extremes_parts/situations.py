@@ -16,7 +16,7 @@ class Situation:
 
 
 def situations() -> Iterator[Situation]:
-    for name, changes in (*_TIME.items(), *_MESH.items(), *_CONTACT.items(), *_LOADS.items()):
+    for name, changes in (*_TIME.items(), *_MESH.items(), *_CONTACT.items(), *_COUPLED.items(), *_LOADS.items()):
         yield Situation(name, changed(BASE, changes))
     for name, changes in _SINGULAR.items():
         yield Situation(name, changed(BASE, changes), singular=True)
@@ -112,6 +112,48 @@ _CONTACT: dict[str, dict[str, Any]] = {
         f"{CONTACT}.compliance.stiffness": 1e10,
     },
     "nodal contact": {f"{CONTACT}.quadrature": "vertex", f"{CONTACT}.compliance.stiffness": 1e12},
+}
+
+_COUPLED: dict[str, dict[str, Any]] = {
+    # to 1e46 m/s: friction's regularisation is 50 decades from there, more than continuation has rungs for
+    "a coupling that blows up": {
+        "time.end": 660764.1253389312,
+        "material.density": 41.53953447931316,
+        "material.elasticity.young": 0.0019898985132590988,
+        "material.elasticity.poisson": 0.3494228995668749,
+        "material.elasticity.plane": "strain",
+        "material.viscosity.trace": 3.427418987606361e-06,
+        "material.viscosity.shear": 3.427418987606361e-06,
+        "heat.conductivity": 4.2393376508460997e-07,
+        "heat.thermal_stress": [[89.66815725771993] * 2] * 2,
+        "heat.strain_heating": [[-38106.13486751737] * 2] * 2,
+        f"{CONTACT}.compliance.stiffness": 3.059850050377747,
+        f"{CONTACT}.friction.coefficient": 5.8184931612172806,
+        f"{CONTACT}.friction.regularisation": 1.9019431220485285e-08,
+        f"{CONTACT}.conductance.coefficient": 79.17808944531461,
+        f"{CONTACT}.conductance.onset": 2.272290949028921e-07,
+        f"{CONTACT}.conductance.foundation_temperature": 2.498631764801766,
+        f"{CONTACT}.conductance.limit": 0.08571467408535323,
+    },
+    # capacity/step times the temperature is 1e9 W, what still flows a few
+    "heat that flows no more, steps of 2e-6": {
+        "time.end": 1.506779874025787e-05,
+        "heat.conductivity": 2.8685408897605087e-06,
+        f"{CONTACT}.conductance.coefficient": 8880863901.439009,
+        f"{CONTACT}.conductance.onset": 7.786291445162985e-11,
+        f"{CONTACT}.conductance.foundation_temperature": -4828.695964190038,
+        f"{CONTACT}.conductance.limit": 1389.7541363513676,
+        f"{CONTACT}.compliance.stiffness": 0.018751724669862857,
+    },
+    # rounding the displacement is worth a tenth of the weight, and only the balance of forces tells
+    "a stiff body turned by its initial displacement": {
+        **_MECHANICS_ONLY,
+        "boundary": ABSENT,
+        "time.end": 0.08,
+        "initial.displacement": ["0.3 - 1.1*y", "1.1*x - 0.7"],
+        "material.elasticity.young": 1e14,
+        "material.viscosity": ABSENT,
+    },
 }
 
 _LOADS: dict[str, dict[str, Any]] = {

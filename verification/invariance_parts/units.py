@@ -108,7 +108,7 @@ def _scaled(value: Any, factor: float, system: System) -> Any:
 
 
 def _is_expression(text: str) -> bool:
-    return re.search(r"\b[xyzt]\b|\d", text) is not None
+    return re.search(r"\b[xyzt]\b|\b\d", text) is not None  # "bdf2" is none
 
 
 def _expression(text: str, factor: float, system: System) -> str:

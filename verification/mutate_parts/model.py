@@ -275,4 +275,12 @@ MUTATIONS = (
         "lagged",
         "von Mises stress of the stress now, also where stress is not asked for",
     ),
+    Mutation(
+        "friction-of-open-contact",
+        "src/model/facet_term.cpp",
+        "if (laws_[law].multiplier != nullptr && !presses(facet, law)) {",
+        "if (laws_[law].multiplier != nullptr && presses(facet, law) && !presses(facet, law)) {",
+        "missing",
+        "exact friction holds nothing where contact is open",
+    ),
 )

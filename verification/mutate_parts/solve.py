@@ -110,7 +110,7 @@ MUTATIONS = (
     Mutation(
         "newton-round-off",
         "src/solve/newton.cpp",
-        "return current.norm <= std::numeric_limits<double>::epsilon() * noise.norm();",
+        "return current.norm <= round_off(x, F);",
         "return true;",
         "range",
         "round-off excuses no residual that is above it",
@@ -322,5 +322,13 @@ MUTATIONS = (
         "work_[i] = rhs[static_cast<std::size_t>(dofs_[i])];",
         "factor",
         "the right-hand side is scaled as the factor is",
+    ),
+    Mutation(
+        "continuation-half-way",
+        "src/solve/continuation.cpp",
+        "            result.end = NewtonEnd::not_reached;\n",
+        "",
+        "missing",
+        "continuation that does not arrive has no solution",
     ),
 )

@@ -175,7 +175,7 @@ class Momentum:
         for term in self.frictions:
             term.friction.set_stiffness(equation.matrix)
         iterations = solve_with_multipliers(
-            lambda: equation.solve(b), self.frictions, self.comm, self.tolerance
+            lambda polish: equation.solve(b, polish), self.frictions, self.comm, self.tolerance
         )
         self.stage_u.x.array[:] = self.base_u.x.array + step.tau * self.stage_w.x.array
         return iterations

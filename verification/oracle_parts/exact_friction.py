@@ -33,6 +33,7 @@ SETTLED = 1e-3  # of the multiplier: smaller changes are no longer those of poin
 MOST_UPDATES = 60
 HALF_A_BIT = 2.0**-53  # the relative error of rounding to double precision
 ROUNDINGS = 10.0  # a slip is a sum over the nodes of a facet, each rounded
+FALLING = 0.5  # of the change before: an update that does some good leaves less
 SLIPS = 1e-6  # |w_t| gamma beyond this share of p_t
 
 
@@ -235,21 +236,27 @@ class FrictionTerm:
 
 
 def solve_with_multipliers(
-    solve: Callable[[], int], terms: Sequence[FrictionTerm], comm: Any, tolerance: float
+    solve: Callable[[bool], int], terms: Sequence[FrictionTerm], comm: Any, tolerance: float
 ) -> int:
-    """Solve, and let the multipliers follow, until they stay; returns the Newton iterations."""
+    """Solve, and let the multipliers follow, until they stay; returns the Newton iterations.
+
+    They stay where their change is small beside themselves, not beside the forces of the body, which is all that
+    Newton's method looks at: `solve` is asked to polish what it finds solved. Where it does no more than that and the
+    changes fall no longer, they are round-off.
+    """
     if not terms:
-        return solve()
+        return solve(False)
     iterations, stiffening, change = 0, SOFT, np.inf
     for _ in range(MOST_UPDATES):
         for term in terms:
             term.friction.gamma = stiffening * term.friction.resistance
-        taken = solve()
+        taken = solve(stiffening >= STIFF)
         iterations += taken
         before = change
         sums = comm.allreduce(np.sum([term.update() for term in terms], axis=0))
         change, noise = np.sqrt(sums[[0, 2]] / sums[1]) if sums[1] > 0 else (0.0, 0.0)
-        if stiffening >= STIFF and (change <= max(tolerance, ROUNDINGS * noise) or taken == 0):
+        settled = change <= max(tolerance, ROUNDINGS * noise) or taken == 0 and change > FALLING * before
+        if stiffening >= STIFF and settled:
             return iterations
         if stiffening < STIFF or (0.1 * before < change < SETTLED and stiffening < STIFFEST):
             stiffening *= 10.0

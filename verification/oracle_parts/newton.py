@@ -87,8 +87,11 @@ class StepEquation:
             self.solver = mumps(self.jacobian)
         self.solver_seconds = 0.0
 
-    def solve(self, b: Any) -> int:
-        """Improve the guess in `unknown`, whose constrained values must be set. Returns the Newton iterations."""
+    def solve(self, b: Any, polish: bool = False) -> int:
+        """Improve the guess in `unknown`, whose constrained values must be set. Returns the Newton iterations.
+
+        With `polish` also a guess that needs none, by one iteration, which is not counted.
+        """
         if not self.nonlinear:
             self._evaluate(b)
             self._correct()
@@ -96,9 +99,9 @@ class StepEquation:
             if not np.isfinite(self.x.norm()):
                 raise NumericsError(f"{self.name}: the linear solver returned a non-finite value")
             return 0
-        return self._newton(b)
+        return self._newton(b, polish and self.exact)
 
-    def _newton(self, b: Any) -> int:
+    def _newton(self, b: Any, polish: bool) -> int:
         """Converged where the residual is small beside its terms, or the correction beside the unknown.
 
         The second matters where the terms themselves cancel, as in a body that moves almost rigidly: their
@@ -110,6 +113,8 @@ class StepEquation:
             raise NumericsError(f"{self.name}: the residual is not finite")
         for iteration in range(1, self.tolerances.max_iterations + 1):
             if norm <= tolerance * scale:
+                if polish and iteration == 1 and norm > 0:
+                    self._polish(b, norm)
                 return iteration - 1
             self._correct()
             self._move(-1.0)
@@ -127,6 +132,12 @@ class StepEquation:
         raise NumericsError(
             f"{self.name}: no convergence in {self.tolerances.max_iterations} Newton iterations"
         )
+
+    def _polish(self, b: Any, norm: float) -> None:
+        self._correct()
+        self._move(-1.0)
+        if not self._evaluate(b)[0] < norm:
+            self._move(1.0)
 
     def _line_search(self, b: Any, norm: float, new_norm: float, scale: float) -> tuple[float, float]:
         """Halve the step just taken until the residual falls; its norm and scale there."""

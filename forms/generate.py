@@ -16,6 +16,7 @@ Exit 2: a law file is wrong; standard error says FILE:LINE: why.
 import concurrent.futures
 import hashlib
 import json
+import logging
 import os
 import pathlib
 import re
@@ -195,6 +196,7 @@ def describe(laws: dict[str, str]) -> dict[str, dict[str, object]]:
     import in_force
     from describe import description
 
+    logging.disable(logging.CRITICAL)  # UFL's own, which it writes to standard output
     found = {}
     for kind, path in laws.items():
         try:

@@ -97,7 +97,7 @@ def own_matrices(body: Body, scene: Scene, tensor: Tensor4) -> Any:
 
 def bounds(scene: Scene, body: Body, pieces: list[Piece]) -> dict[str, float]:
     """Of densities and tensors over all pieces: the least of ellipticity, the greatest of norms."""
-    found: dict[str, float] = {}
+    found: dict[str, float] = {"rho": 0.0, "c": 0.0}  # of what is not modelled
 
     def note(name: str, values: Any, choose: Any) -> None:
         found[name] = float(choose(values))

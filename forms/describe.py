@@ -3,6 +3,7 @@
 import itertools
 import math
 
+import describe_body
 import in_force
 import law as law_file
 import space
@@ -21,10 +22,17 @@ def description(kind, path):
     space.select("triangle", 1)
     in_force.replace({kind: path})
     the_law = in_force.loaded(kind)
-    _try(kind, the_law)
+    _expect_widths(kind, the_law)
+    refused = {}
+    if kind in describe_body.KINDS:
+        refused = describe_body.refused(kind)
+    else:
+        _try(kind, the_law)
     return {
         "kind": kind,
         "title": the_law.title,
+        "line": the_law.line,
+        "refused": refused,
         "function": in_force.FUNCTIONS[kind][0],
         "possible": list(in_force.FUNCTIONS[kind][1]),
         "takes": list(the_law.arguments),
@@ -32,6 +40,14 @@ def description(kind, path):
             {"name": name, **law_file.declared_as(value)} for name, value in the_law.parameters.items()
         ],
     }
+
+
+def _expect_widths(kind, the_law):
+    widths = [name for name, value in the_law.parameters.items() if law_file.declared_as(value)["width"]]
+    if widths and (kind != "conductance" or len(widths) > 1):
+        raise LawError(
+            the_law.line, f"{' and '.join(widths)}: only a conductance has a width, and one of its parameters"
+        )
 
 
 def _try(kind, the_law):
@@ -43,11 +59,7 @@ def _try(kind, the_law):
     if needed not in points:
         raise LawError(the_law.line, f"{function} does not take {needed}")
     value = the_law({**points, **unknowns})
-    known = {*points.values(), *the_law.parameters.values()}
-    for terminal in ufl.algorithms.extract_type(value, ufl.core.terminal.FormArgument) | {
-        constant for constant in ufl.algorithms.extract_type(value, ufl.Constant) if constant not in known
-    }:
-        raise LawError(the_law.line, f"{function} contains {terminal}, which it was not given")
+    in_force.expect_given(the_law, value, points.values())
     slopes = {name: expand_derivatives(ufl.diff(value, variable)) for name, variable in unknowns.items()}
     if isinstance(slopes[needed], ufl.constantvalue.Zero):
         raise LawError(the_law.line, f"{function} does not depend on {needed}")

@@ -2,10 +2,11 @@
 error, and of the fields themselves. G0, G1, G2: recovered gradients of the displacement's (or velocity's) components, H
 that of the temperature."""
 
-from space import D, Q, V, dim, mesh, strain, voigt, voigt_size
+from in_force import dx_of, tensor
+from space import D, Q, V, dim, mesh, strain, voigt
 from ufl import Coefficient, Constant, TestFunction, as_matrix, dot, dx, grad, sym
 
-E, Visc = (Constant(mesh, shape=(voigt_size, voigt_size)) for _ in range(2))
+(E, _), (Visc, _) = tensor("elasticity"), tensor("viscosity")
 K = Constant(mesh, shape=(dim, dim))
 u, w, theta = Coefficient(V), Coefficient(V), Coefficient(Q)
 G0, G1, G2, H = Coefficient(V), Coefficient(V), Coefficient(V), Coefficient(V)
@@ -17,9 +18,9 @@ elastic_rest = recovered - voigt(strain(u))
 viscous_rest = recovered - voigt(strain(w))
 heat_rest = H - grad(theta)
 
-elastic_error = dot(dot(E, elastic_rest), elastic_rest) * q * dx
-viscous_error = dot(dot(Visc, viscous_rest), viscous_rest) * q * dx
+elastic_error = dot(dot(E, elastic_rest), elastic_rest) * q * dx_of("elasticity")
+viscous_error = dot(dot(Visc, viscous_rest), viscous_rest) * q * dx_of("viscosity")
 heat_error = dot(dot(K, heat_rest), heat_rest) * q * dx
-elastic_energy = dot(dot(E, voigt(strain(u))), voigt(strain(u))) * q * dx
-viscous_energy = dot(dot(Visc, voigt(strain(w))), voigt(strain(w))) * q * dx
+elastic_energy = dot(dot(E, voigt(strain(u))), voigt(strain(u))) * q * dx_of("elasticity")
+viscous_energy = dot(dot(Visc, voigt(strain(w))), voigt(strain(w))) * q * dx_of("viscosity")
 heat_energy = dot(dot(K, grad(theta)), grad(theta)) * q * dx

@@ -4,8 +4,9 @@
                                                              PACKAGE.FILE for a file in a package of FOLDER
     generate.py table NAME OUTPUT_DIR STEM...                all generated headers -> kernel_table.c, symbols NAME_...
     generate.py describe LAW LAW=FILE                        what a law file says of itself, as JSON
-    generate.py laws CELL DEGREE OUTPUT_DIR LAW=FILE...      every form that law files enter -> the shared library
-                                                             laws.so with a table of symbols laws_...
+    generate.py laws CELL DEGREE PLANE OUTPUT_DIR LAW=FILE...    every form that law files enter -> the shared library
+                                                             laws.so with a table of symbols laws_...; PLANE: strain
+                                                             or stress, of bodies in 2D
     generate.py built-in OUTPUT_DIR                          the built-in law files -> law_table.c
     generate.py flags                                        the include folder of ufcx.h
 
@@ -15,6 +16,7 @@ Exit 2: a law file is wrong; standard error says FILE:LINE: why.
 import concurrent.futures
 import hashlib
 import json
+import logging
 import os
 import pathlib
 import re
@@ -27,7 +29,7 @@ FORMS = pathlib.Path(__file__).resolve().parent
 STUB = """import in_force, space
 
 space.select("{cell}", {degree})
-in_force.replace({laws})
+in_force.replace({laws}, plane_strain={plane_strain})
 from {file} import *
 from ufl import Form
 
@@ -62,11 +64,17 @@ const char* const thermocontact_law_tools = "{versions}; forms {digest}";
 
 
 def generate_form(
-    file: str, cell: str, degree: str, output: str, folder: str = str(FORMS), laws: dict[str, str] = {}
+    file: str,
+    cell: str,
+    degree: str,
+    output: str,
+    folder: str = str(FORMS),
+    laws: dict[str, str] = {},
+    plane_strain: bool = False,
 ) -> None:
     """Write the stub that selects cell, degree and laws, and run FFCx on it in the output folder."""
     stub = pathlib.Path(output) / f"{file.split('.')[-1]}_{cell}_{degree}.py"
-    stub.write_text(STUB.format(file=file, cell=cell, degree=degree, laws=laws))
+    stub.write_text(STUB.format(file=file, cell=cell, degree=degree, laws=laws, plane_strain=plane_strain))
     command = f"import sys; sys.path[:0] = {[folder, str(FORMS)]!r}; from ffcx.main import main; main()"
     run = subprocess.run(
         [sys.executable, "-B", "-c", command, stub.name], cwd=output, stderr=subprocess.PIPE, text=True
@@ -123,19 +131,24 @@ def affected(laws: dict[str, str]) -> list[str]:
     """The form files that one of these laws enters; no built-in law asks for what a form offers it as a lambda."""
     files = []
     for path in sorted(FORMS.glob("*.py")):
-        kinds = re.findall(r'(?<!lambda: )\blaw\("(\w+)"', path.read_text())
+        kinds = re.findall(r'(?<!lambda: )\b(?:law|tensor|stress_rows)\("(\w+)"', path.read_text())
         if any(kind in laws for kind in kinds) and path.stem not in ("in_force", "law", "generate"):
             files.append(path.stem)
     return files
 
 
-def generate_laws(cell: str, degree: str, output: str, laws: dict[str, str]) -> None:
+def generate_laws(cell: str, degree: str, plane: str, output: str, laws: dict[str, str]) -> None:
     """Every form that the laws enter, their table, and a library of both."""
     files = affected(laws)
     if "friction" in laws and "speed" in describe({"friction": laws["friction"]})["friction"]["takes"]:
         files.remove("coulomb")  # which is of bounds that do not depend on the speed
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        list(pool.map(lambda file: generate_form(file, cell, degree, output, laws=laws), files))
+        strain = plane == "strain"
+        list(
+            pool.map(
+                lambda file: generate_form(file, cell, degree, output, laws=laws, plane_strain=strain), files
+            )
+        )
         stems = [f"{file}_{cell}_{degree}" for file in files]
         generate_table("laws", output, stems)
         objects = list(pool.map(lambda stem: compile_object(stem, output), ["kernel_table", *stems]))
@@ -183,6 +196,7 @@ def describe(laws: dict[str, str]) -> dict[str, dict[str, object]]:
     import in_force
     from describe import description
 
+    logging.disable(logging.CRITICAL)  # UFL's own, which it writes to standard output
     found = {}
     for kind, path in laws.items():
         try:
@@ -214,9 +228,10 @@ def main() -> None:
         kind, law = arguments
         print(json.dumps(describe(dict([law.split("=", 1)]))[kind]))
     elif command == "laws":
-        cell, degree, output = arguments[:3]
-        laws = dict(pair.split("=", 1) for pair in arguments[3:])
-        generate_laws(cell, degree, output, {kind: os.path.abspath(path) for kind, path in laws.items()})
+        cell, degree, plane, output = arguments[:4]
+        laws = dict(pair.split("=", 1) for pair in arguments[4:])
+        files = {kind: os.path.abspath(path) for kind, path in laws.items()}
+        generate_laws(cell, degree, plane, output, files)
     elif command == "built-in":
         generate_built_in(*arguments)
     elif command == "flags":

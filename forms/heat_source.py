@@ -1,9 +1,12 @@
-"""Heat source q0 of (2.4), interpolated in the space of the temperature."""
+"""Heat source q0 of (2.4): interpolated in the space of the temperature, or the law of a file at the points of its rule."""
 
-from space import Q
-from ufl import Coefficient, TestFunction, dx
+from in_force import dx_of, is_own, law
+from space import Q, mesh, x
+from ufl import Coefficient, Constant, TestFunction
 
-q0 = Coefficient(Q)
 eta = TestFunction(Q)
+t = Constant(mesh)
 
-load = q0 * eta * dx
+q0 = law("source", x=x, t=t) if is_own("source") else Coefficient(Q)
+
+load = q0 * eta * dx_of("source")

@@ -4,18 +4,25 @@ import inspect
 import pathlib
 
 import law as law_file
+import space
 import ufl
 
 BUILT_IN = pathlib.Path(__file__).resolve().parent / "laws"
-# of each law: the function that its file defines, and what that may take; a scalar expression comes back
+# of each law: the function that its file defines, and what that may take
 FUNCTIONS = {
     "compliance": ("pressure", ("r",)),
     "friction": ("bound", ("p_n", "speed")),
     "conductance": ("heat_flux", ("r", "p_n", "s")),
+    "elasticity": ("stress", ("strain", "x")),
+    "viscosity": ("stress", ("strain_rate", "x")),
+    "source": ("source", ("x", "t")),
+    "body_force": ("force", ("x", "t")),
 }
+TENSORS, LOADS = ("elasticity", "viscosity"), ("source", "body_force")
 
 _files = {}
 _loaded = {}
+_plane_strain = False
 
 
 class LawError(Exception):
@@ -57,22 +64,35 @@ class Law:
         taken = {name: given[name] for name in self.arguments}
         taken = {name: made() if inspect.isfunction(made) else made for name, made in taken.items()}
         try:
-            result = ufl.as_ufl(self.function(**taken))
+            result = self.function(**taken)
+            result = ufl.as_vector(result) if isinstance(result, (tuple, list)) else ufl.as_ufl(result)
         except Exception as error:
             raise LawError(line_of(error, self.path) or self.line, said(error)) from error
-        if result.ufl_shape != () or result.ufl_free_indices != ():
-            shape = " x ".join(map(str, result.ufl_shape)) or "free indices"
-            raise LawError(self.line, f"{self.function.__name__} is not scalar: it has {shape}")
+        if result.ufl_shape != self.shape or result.ufl_free_indices != ():
+            found = " x ".join(map(str, result.ufl_shape)) if result.ufl_shape else "a scalar"
+            found = "free indices" if result.ufl_free_indices else found
+            expected = " x ".join(map(str, self.shape)) or "scalar"
+            raise LawError(self.line, f"{self.function.__name__} is not {expected}: it has {found}")
         return result
+
+    @property
+    def shape(self):
+        """Of what the function gives: a tensor of stress, which in plane strain has all its components, a force, a number."""
+        if self.kind in TENSORS:
+            return 2 * (strain_size(),)
+        return (space.dim,) if self.kind == "body_force" else ()
 
     @property
     def is_built_in(self):
         return self.path.parent == BUILT_IN
 
 
-def replace(files):
-    """Take these files, by kind, in place of the built-in laws."""
+def replace(files, plane_strain=False):
+    """Take these files, by kind, in place of the built-in laws; a body in 2D is in plane strain or in plane stress."""
+    global _plane_strain
     _files.update(files)
+    _loaded.clear()
+    _plane_strain = plane_strain
 
 
 def loaded(kind):
@@ -87,6 +107,64 @@ def law(kind, **given):
     return loaded(kind)(given)
 
 
+def is_own(kind):
+    """Whether a file of the user's is in force."""
+    return kind in _files
+
+
+def dx_of(*kinds):
+    """Integration over cells by the rule of the user's laws, if one of these is; else what the integrand asks for."""
+    return space.over_cells if any(map(is_own, kinds)) else ufl.dx
+
+
+def strain_size():
+    """Rows of the strain that a law is given: in plane strain it has those out of the plane, which are 0."""
+    return 3 if space.dim == 3 or _plane_strain else 2
+
+
+def tensor(kind):
+    """E or Visc as Voigt matrix, and its row of the stress out of the plane: constants, or the law of a file."""
+    if not is_own(kind):
+        size = space.voigt_size
+        return ufl.Constant(space.mesh, shape=(size, size)), ufl.Constant(space.mesh, shape=(size,))
+    rows = stress_rows(kind)
+    if space.dim == 3:
+        return ufl.as_matrix(rows), None
+    return ufl.as_matrix([rows[0], rows[1], rows[5]]), ufl.as_vector(rows[2])
+
+
+def stress_rows(kind):
+    """What the law gives of unit strains, in Voigt's order with engineering shear: [xx, yy, zz, yz, xz, xy][strains].
+
+    In plane stress there is nothing out of the plane.
+    """
+    size, columns = strain_size(), unit_stresses(kind)
+    return [
+        [(stress[i, j] + stress[j, i]) / 2 if max(i, j) < size else ufl.as_ufl(0.0) for stress in columns]
+        for i, j in _pairs(3)
+    ]
+
+
+def unit_stresses(kind):
+    """The stress of each unit strain."""
+    size, the_law = strain_size(), loaded(kind)
+    return [
+        the_law({FUNCTIONS[kind][1][0]: _unit_strain(pair, size), "x": space.x}) for pair in _pairs(space.dim)
+    ]
+
+
+def _pairs(dim):
+    shear = ((1, 2), (0, 2), (0, 1)) if dim == 3 else ((0, 1),)
+    return (*((i, i) for i in range(dim)), *shear)
+
+
+def _unit_strain(pair, size):
+    half = 1.0 if pair[0] == pair[1] else 0.5
+    return ufl.as_matrix(
+        [[half if sorted((i, j)) == sorted(pair) else 0.0 for j in range(size)] for i in range(size)]
+    )
+
+
 def constants():
     """The parameters of the laws used so far, by the names under which kernels know them.
 
@@ -97,6 +175,17 @@ def constants():
         for kind, of_kind in _loaded.items()
         for name, value in of_kind.parameters.items()
     }
+
+
+def expect_given(the_law, value, given):
+    """Refuse a law whose value has something in it that is neither among `given` nor a parameter of its own."""
+    known = {*given, *the_law.parameters.values()}
+    kinds = (ufl.core.terminal.FormArgument, ufl.Constant, ufl.geometry.GeometricQuantity)
+    for kind in kinds:
+        for terminal in ufl.algorithms.extract_type(value, kind):
+            if terminal not in known:
+                name = the_law.function.__name__
+                raise LawError(the_law.line, f"{name} contains {terminal}, which it was not given")
 
 
 def said(error):

@@ -26,10 +26,13 @@ def parameter(
     at_least=None,
     below=None,
     at_most=None,
+    width=False,
 ):
     """A constant of the law that the scene sets under `key` in the law's table, within the bounds given.
 
-    Required unless there is a default; a default of infinity may be left out of the scene and means no limit.
+    Required unless there is a default; a default of infinity may be left out of the scene and means no limit. A `width`
+    is a temperature difference over which a conductance turns round, linear where it is large: a step that Newton's
+    method does not solve is solved with it widened, and then narrowed rung by rung.
     """
     for name, text in (("key", key), ("meaning", meaning), ("unit", unit)):
         if not isinstance(text, str):
@@ -57,7 +60,10 @@ def parameter(
         "required": default is None,
         "default": None if default == math.inf else default,
         "example": _example(default, example, low, high),
+        "width": bool(width),
     }
+    if width and (low is None or low < 0):
+        raise ValueError(f"parameter {key}: a width is above 0")
     for name in ("default", "example"):
         if not _admits(facts, facts[name]):
             raise ValueError(f"parameter {key}: its {name} {facts[name]} is out of its range")

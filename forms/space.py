@@ -59,8 +59,18 @@ def _element(family, cell, degree, shape=()):
         return ufl.FiniteElement(family, cell, degree)
 
 
+def _quadrature_element(cell, degree, size):
+    """`size` values at each point of the rule."""
+    try:
+        import basix.ufl
+
+        return basix.ufl.quadrature_element(cell, (size,), degree=degree)
+    except ImportError:
+        return ufl.VectorElement("Quadrature", cell, degree, dim=size, quad_scheme="default")
+
+
 def select(cell, degree):
-    """Define, in this module: mesh, dim, vector space V, scalar space Q, cell-wise stress space S, normal n."""
+    """Define, in this module: mesh, dim, vector space V, scalar space Q, cell-wise stress space S, normal n, place x."""
     names = globals()
     dim = {"triangle": 2, "quadrilateral": 2, "tetrahedron": 3, "hexahedron": 3}[cell]
     mesh = ufl.Mesh(_element("Lagrange", cell, 1, (dim,)))
@@ -74,11 +84,18 @@ def select(cell, degree):
         S=ufl.FunctionSpace(mesh, _element(constant_family, cell, 0, (6,))),
         D=ufl.FunctionSpace(mesh, _element(constant_family, cell, 0)),
         n=ufl.FacetNormal(mesh),
+        x=ufl.SpatialCoordinate(mesh),
         _gauss_degrees=GAUSS_DEGREES[cell],
         _vertices=_custom(*_vertex_rule(cell, degree)),
         _nodes=_custom(*_nodal_rule(cell, degree)),
         # degree + 1 Gauss points a direction on cells whose geometry is not affine; None: what the integrand asks for
         _full=2 * degree + 1 if cell in ("quadrilateral", "hexahedron") else None,
+    )
+    # laws of files vary within cells: the same there, on simplices a rule of even degree, whose weights are positive
+    rule = _full or 2 * degree + 2
+    names.update(
+        over_cells=ufl.dx(metadata={"quadrature_degree": rule}),
+        points=lambda size: ufl.FunctionSpace(mesh, _quadrature_element(cell, rule, size)),
     )
 
 

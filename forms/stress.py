@@ -3,11 +3,12 @@
 In 2D sigma_zz comes from the rows E_zz, Visc_zz, M_zz: those of plane strain, or zero for plane stress.
 """
 
-from space import D, Q, S, V, dim, mesh, strain, voigt, voigt_size
+from in_force import dx_of, tensor
+from space import D, Q, S, V, dim, mesh, strain, voigt
 from ufl import Coefficient, Constant, TestFunction, as_vector, dot, dx, inner, sqrt
 
-E, Visc = (Constant(mesh, shape=(voigt_size, voigt_size)) for _ in range(2))
-E_zz, Visc_zz = (Constant(mesh, shape=(voigt_size,)) for _ in range(2))
+E, E_zz = tensor("elasticity")
+Visc, Visc_zz = tensor("viscosity")
 M, M_zz = Constant(mesh, shape=(dim, dim)), Constant(mesh)
 u, w, theta = Coefficient(V), Coefficient(V), Coefficient(Q)
 s = Coefficient(S)
@@ -32,5 +33,5 @@ else:
 squares = (s[0] - s[1]) ** 2 + (s[1] - s[2]) ** 2 + (s[2] - s[0]) ** 2
 
 volume = q * dx
-integrated = inner(as_vector(components), tau) * dx
+integrated = inner(as_vector(components), tau) * dx_of("elasticity", "viscosity")
 von_mises = sqrt(squares / 2 + 3 * (s[3] ** 2 + s[4] ** 2 + s[5] ** 2)) * q * dx

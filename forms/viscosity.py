@@ -1,9 +1,10 @@
-"""Viscous part of the stress, V eps(du/dt) of (2.1), with a general tensor in Voigt form."""
+"""Viscous part of the stress, V eps(du/dt) of (2.1), with a general tensor in Voigt form: that of the scene, or of its law file."""
 
-from space import V, mesh, strain, voigt, voigt_size
-from ufl import Constant, TestFunction, TrialFunction, dot, dx, inner
+from in_force import dx_of, tensor
+from space import V, strain, voigt
+from ufl import TestFunction, TrialFunction, dot, inner
 
-Visc = Constant(mesh, shape=(voigt_size, voigt_size))
+Visc, _ = tensor("viscosity")
 w, v = TrialFunction(V), TestFunction(V)
 
-damping = inner(dot(Visc, voigt(strain(w))), voigt(strain(v))) * dx
+damping = inner(dot(Visc, voigt(strain(w))), voigt(strain(v))) * dx_of("viscosity")

@@ -34,16 +34,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import ufl
 from mpi4py import MPI
 from petsc4py import PETSc
 
 from oracle_parts.balances import HeatBalance, Momentum
+from oracle_parts.body_laws import measure, stress
 from oracle_parts.course import Parts, equal_steps, followed_steps
 from oracle_parts.domain import follow as follow_mesh
 from oracle_parts.errors import NumericsError, SceneError
 from oracle_parts.followed_mesh import Carrier, read_mesh
-from oracle_parts.problem import Problem, apply_voigt, strain
+from oracle_parts.problem import Problem, strain
 from oracle_parts.results import CellStress, FieldWriter, History, Stopwatch
 from oracle_parts.scene import Scene, read_scene
 from oracle_parts.summary import summary, write_summary
@@ -107,12 +107,13 @@ def cell_stress(problem: Problem) -> CellStress:
         sigma, sigma_zz = zero * strain(problem.u), zero
         for tensor, field in ((material.elasticity, problem.u), (material.viscosity, problem.w)):
             if tensor:
-                sigma += apply_voigt(problem.constant(tensor.voigt), strain(field))
-                sigma_zz += problem.constant(tensor.out_of_plane) * ufl.tr(strain(field))
+                part, part_zz = stress(problem.mesh, tensor, strain(field))
+                sigma, sigma_zz = sigma + part, sigma_zz + part_zz
         if heat and heat.thermal_stress is not None:
             sigma -= problem.theta * problem.constant(heat.thermal_stress)
             sigma_zz -= problem.theta * problem.constant(heat.thermal_stress_zz)
-        parts.append((sigma, sigma_zz, piece.dx))
+        own = any(tensor and tensor.own for tensor in (material.elasticity, material.viscosity))
+        parts.append((sigma, sigma_zz, measure(problem.body, problem.scene.degree, piece.dx, own)))
     return CellStress(problem.body, parts)
 
 

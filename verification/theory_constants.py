@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import basix
 import numpy as np
 import scipy.sparse
 import scipy.sparse.linalg
@@ -22,10 +23,11 @@ from dolfinx import fem
 from dolfinx.fem import petsc as fem_petsc
 from mpi4py import MPI
 
-from oracle_parts.domain import Prescribed, Side, create_body
+from oracle_parts.body_laws import measure, stress
+from oracle_parts.domain import Body, Prescribed, Side, create_body
 from oracle_parts.portability import lagrange_space
-from oracle_parts.problem import Piece, apply_voigt, pieces_of, strain
-from oracle_parts.scene import Contact, Scene, read_scene
+from oracle_parts.problem import Piece, pieces_of, strain
+from oracle_parts.scene import Contact, Scene, Tensor4, read_scene
 
 HERE = Path(__file__).resolve().parent
 PRINTED_DIGITS = 1e-5  # relative; six digits are printed
@@ -73,9 +75,29 @@ def lipschitz(contact: Contact) -> float:
     return contact.compliance.stiffness * (1 + friction)
 
 
-def bounds(scene: Scene, pieces: list[Piece]) -> dict[str, float]:
+def own_matrices(body: Body, scene: Scene, tensor: Tensor4) -> Any:
+    """Voigt matrices of a law file's tensor at every point of its rule, [points][s][s]."""
+    d = scene.dimension
+    pairs = [(i, i) for i in range(d)] + ([(1, 2), (0, 2), (0, 1)] if d == 3 else [(0, 1)])
+
+    def unit(i: int, j: int) -> Any:
+        e = np.zeros((d, d))
+        e[i, j] += 0.5
+        e[j, i] += 0.5
+        return ufl.as_matrix(e.tolist())
+
+    columns = [stress(body.mesh, tensor, unit(*pair))[0] for pair in pairs]
+    entries = ufl.as_vector([sigma[pair] for pair in pairs for sigma in columns])
+    degree = body.full_rule.get("quadrature_degree", 2 * scene.degree + 2)
+    cell = getattr(basix.CellType, body.mesh.topology.cell_name())
+    points, _ = basix.make_quadrature(cell, degree)
+    cells = np.arange(body.mesh.topology.index_map(d).size_local, dtype=np.int32)
+    return fem.Expression(entries, points).eval(cells).reshape(-1, len(pairs), len(pairs))
+
+
+def bounds(scene: Scene, body: Body, pieces: list[Piece]) -> dict[str, float]:
     """Of densities and tensors over all pieces: the least of ellipticity, the greatest of norms."""
-    found: dict[str, float] = {}
+    found: dict[str, float] = {"rho": 0.0, "c": 0.0}  # of what is not modelled
 
     def note(name: str, values: Any, choose: Any) -> None:
         found[name] = float(choose(values))
@@ -90,7 +112,11 @@ def bounds(scene: Scene, pieces: list[Piece]) -> dict[str, float]:
         for index, law in (("b", "viscosity"), ("a", "elasticity")):
             tensors = [getattr(piece.material, law) for piece in pieces]
             if tensors[0]:
-                spectra = [eigenvalues(tensor.voigt, scene.dimension) for tensor in tensors]
+                is_own = tensors[0].own is not None
+                matrices = (
+                    own_matrices(body, scene, tensors[0]) if is_own else [tensor.voigt for tensor in tensors]
+                )
+                spectra = [eigenvalues(matrix, scene.dimension) for matrix in matrices]
                 note(f"m_{index}", [spectrum[0] for spectrum in spectra], min)
                 note(f"M_{index}", [np.abs(spectrum).max() for spectrum in spectra], max)
     if scene.heat:
@@ -111,7 +137,7 @@ def expected(scene: Scene) -> dict[str, float]:
     mesh = body.mesh
     one = fem.Constant(mesh, 1.0)
     pieces = [piece for piece in pieces_of(body, scene) if fem.assemble_scalar(fem.form(one * piece.dx)) > 0]
-    found = bounds(scene, pieces)
+    found = bounds(scene, body, pieces)
     sides = {name: Side(body, name) for name in scene.boundaries}
     if scene.material:
         space = lagrange_space(mesh, scene.degree, scene.dimension)
@@ -126,7 +152,9 @@ def expected(scene: Scene) -> dict[str, float]:
         if mechanical:
             found["s1"] = V.largest(*(sides[name].ds() for name in mechanical)) ** 0.5
             if found.get("m_a", 0.0) > 0:
-                found["r_a"] = against_elasticity(space, prescribed, pieces, mechanical, sides, scene)
+                found["r_a"] = against_elasticity(
+                    space, prescribed, body, scene.degree, pieces, mechanical, sides, scene
+                )
     if scene.heat:
         space = lagrange_space(mesh, scene.degree)
         prescribed = Prescribed(space, scene)
@@ -146,6 +174,8 @@ def expected(scene: Scene) -> dict[str, float]:
 def against_elasticity(
     space: Any,
     prescribed: Prescribed,
+    body: Body,
+    degree: int,
     pieces: list[Piece],
     contacts: dict[str, Contact],
     sides: dict[str, Side],
@@ -156,9 +186,10 @@ def against_elasticity(
         return np.inf
 
     def stored(u: Any, v: Any) -> Any:
-        tensors = [fem.Constant(space.mesh, piece.material.elasticity.voigt) for piece in pieces]
+        tensors = [piece.material.elasticity for piece in pieces]
         return sum(
-            ufl.inner(apply_voigt(tensor, strain(u)), strain(v)) * piece.dx
+            ufl.inner(stress(space.mesh, tensor, strain(u))[0], strain(v))
+            * measure(body, degree, piece.dx, tensor.own is not None)
             for tensor, piece in zip(tensors, pieces)
         )
 

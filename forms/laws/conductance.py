@@ -24,6 +24,7 @@ L = parameter(
     default=float("inf"),
     example=100.0,
     meaning="Largest temperature difference that drives the heat flow; absent: unlimited.",
+    width=True,
 )
 
 

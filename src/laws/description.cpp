@@ -34,6 +34,7 @@ Parameter parse_parameter(const json& facts) {
         parameter.fallback = facts.at("default").get<double>();
     }
     parameter.example = facts.at("example");
+    parameter.width = facts.at("width");
     return parameter;
 }
 
@@ -45,8 +46,9 @@ bool Description::depends_on(const std::string& argument) const {
 
 Description parse_description(const std::string& text) {
     const json facts = json::parse(text);
-    Description description{facts.at("kind"),     facts.at("title"), facts.at("function"),
-                            facts.at("possible"), facts.at("takes"), {}};
+    Description description{facts.at("kind"),     facts.at("title"),  facts.at("function"),
+                            facts.at("possible"), facts.at("takes"),  {},
+                            facts.at("line"),     facts.at("refused")};
     std::ranges::transform(facts.at("parameters"), std::back_inserter(description.parameters),
                            parse_parameter);
     return description;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct Parameter {
     bool required = false;           ///< there is no default
     std::optional<double> fallback;  ///< finite default
     double example = 1;
+    bool width = false;  ///< of a conductance, K: what continuation widens
 };
 
 struct Description {
@@ -29,6 +31,9 @@ struct Description {
     std::vector<std::string> possible;  ///< arguments that it may have
     std::vector<std::string> takes;     ///< arguments of its function: "r", "p_n"
     std::vector<Parameter> parameters;
+    int line = 0;                                ///< of the function in the file
+    std::map<std::string, std::string> refused;  ///< "plane stress" | "plane strain" | "space": bodies that
+                                                 ///< it cannot be of, with "LINE: why"
 
     bool depends_on(const std::string& argument) const;
 };

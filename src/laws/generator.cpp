@@ -111,9 +111,10 @@ fs::path make_description(const LawFile& file, const fs::path& folder) {
     return folder / "output";
 }
 
-fs::path make_library(const std::vector<LawFile>& files, const std::string& cell, int degree,
-                      const fs::path& folder) {
-    generate({"laws", cell, std::to_string(degree), folder.string()}, files, folder);
+fs::path make_library(const std::vector<LawFile>& files, const Target& target, const fs::path& folder) {
+    generate({"laws", target.cell, std::to_string(target.degree), target.plane_strain ? "strain" : "stress",
+              folder.string()},
+             files, folder);
     return folder / "laws.so";
 }
 

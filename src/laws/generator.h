@@ -17,7 +17,7 @@ std::filesystem::path make_description(const LawFile& file, const std::filesyste
 
 /// Writes a shared library with the kernels into the folder; returns the file. Both throw SceneError
 /// "FILE:LINE: why" where a law file is at fault and SystemError where Python, FFCx or the compiler are.
-std::filesystem::path make_library(const std::vector<LawFile>& files, const std::string& cell, int degree,
+std::filesystem::path make_library(const std::vector<LawFile>& files, const Target& target,
                                    const std::filesystem::path& folder);
 
 }  // namespace thermocontact::laws

@@ -63,11 +63,12 @@ Description describe(const LawFile& file) {
                        [&](const std::filesystem::path& folder) { return make_description(file, folder); })));
 }
 
-std::span<const thermocontact_kernel> kernels(const std::vector<LawFile>& files, const std::string& cell,
-                                              int degree) {
-    const std::filesystem::path file = cached(
-        key(files, cell + " " + std::to_string(degree)) + ".so",
-        [&](const std::filesystem::path& folder) { return make_library(files, cell, degree, folder); });
+std::span<const thermocontact_kernel> kernels(const std::vector<LawFile>& files, const Target& target) {
+    const std::string name =
+        target.cell + " " + std::to_string(target.degree) + (target.plane_strain ? " strain" : " stress");
+    const std::filesystem::path file =
+        cached(key(files, name) + ".so",
+               [&](const std::filesystem::path& folder) { return make_library(files, target, folder); });
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) {
         throw SystemError(file.string() + ": cannot be loaded: " + dlerror() + "; delete it");

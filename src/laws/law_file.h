@@ -25,10 +25,16 @@ LawFile read_law_file(const std::string& kind, const std::filesystem::path& path
 /// why" where it cannot be a law, SystemError where Python or FFCx are missing.
 Description describe(const LawFile& file);
 
-/// The kernels of every form that one of the files enters, for one cell and degree: generated, compiled and
-/// kept, or as kept. They stay loaded as long as the program runs. Throws as describe(), and SystemError
-/// where there is no C compiler.
-std::span<const thermocontact_kernel> kernels(const std::vector<LawFile>& files, const std::string& cell,
-                                              int degree);
+/// What kernels are compiled for.
+struct Target {
+    std::string cell;  ///< "triangle"
+    int degree = 1;
+    bool plane_strain = false;  ///< of bodies in 2D; else plane stress
+};
+
+/// The kernels of every form that one of the files enters: generated, compiled and kept, or as kept. They
+/// stay loaded as long as the program runs. Throws as describe(), and SystemError where there is no C
+/// compiler.
+std::span<const thermocontact_kernel> kernels(const std::vector<LawFile>& files, const Target& target);
 
 }  // namespace thermocontact::laws

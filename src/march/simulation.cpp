@@ -7,6 +7,7 @@
 #include "march/audit_limit.h"
 #include "march/course.h"
 #include "mesh/shapes.h"
+#include "model/law_samples.h"
 #include "model/nodal.h"
 #include "parallel/together.h"
 #include "parallel/whole.h"
@@ -41,7 +42,10 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
       choice_(choose_strategy(scene, graph_, part_, surfaces_, backend, solve::available_memory())),
       scheme_(scene.time) {
     const parallel::Phase phase(backend, "assembly");
-    parallel::together(team(), [&] { initialise(); });
+    parallel::together(team(), [&] {
+        model::check_own_tensors(scene, part_.mesh);
+        initialise();
+    });
     if (scene.material) {
         momentum_.emplace(scene, part_.mesh, part_.space, graph_, *choice_.strategy, surfaces_, state_,
                           sources.mechanical);

@@ -25,6 +25,7 @@ class Estimator {
     Estimator(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space)
         : mesh_(&mesh),
           space_(&space),
+          kernels_(scene.kernels),
           constants_(body_constants(scene, mesh)),
           recovery_(mesh, space, scene.regions.empty() ? std::vector<std::int32_t>{} : mesh.cell_regions) {}
 
@@ -48,8 +49,8 @@ class Estimator {
 
   private:
     std::vector<double> by_cells(const char* form, const fem::Fields& fields) const {
-        auto bound = fem::Form::by_region(fem::find_kernel(form, mesh_->cell, space_->element.degree), *mesh_,
-                                          constants_, fields);
+        auto kernel = fem::kernel_in_force(form, mesh_->cell, space_->element.degree, kernels_);
+        auto bound = fem::Form::by_region(std::move(kernel), *mesh_, constants_, fields);
         std::vector<double> result(static_cast<std::size_t>(mesh_->cell_count()), 0.0);
         for (std::int32_t cell = 0; cell < mesh_->cell_count(); ++cell) {
             double& square = result[static_cast<std::size_t>(cell)];
@@ -74,6 +75,7 @@ class Estimator {
 
     const mesh::Mesh* mesh_;
     const fem::Space* space_;
+    scene::KernelTable kernels_;
     std::vector<fem::Constants> constants_;
     GradientRecovery recovery_;
 };

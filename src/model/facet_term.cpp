@@ -27,22 +27,23 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
             fem::kernel_in_force(file + name, mesh.cell, space_->element.degree, surface.kernels), mesh,
             constants, taken, surface.rule);
     };
-    const char* regularised_by = "";
+    std::string regularised_by;
     double regularisation = 0;
     if (law == "friction" && multiplier == nullptr) {
         regularised_by = "eps";
         regularisation = surface.laws.friction->regularisation;
     } else if (law == "conductance") {
-        const auto& of_law = surface.laws.conductance->law.constants;
-        if (const auto limit = of_law.find("L"); limit != of_law.end() && std::isfinite(limit->second)) {
-            regularised_by = "L";
-            regularisation = limit->second;
+        const scene::Law& of_law = surface.laws.conductance->law;
+        if (!of_law.width.empty() && std::isfinite(of_law.constants.at(of_law.width))) {
+            regularised_by = of_law.width;
+            regularisation = of_law.constants.at(of_law.width);
         }
     }
     const bool moves = !surface.laws.foundation_velocity.empty();
     const auto datum = fields.find(law == "compliance" ? "u_old" : law == "conductance" ? "theta_F" : "");
     laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"), multiplier, nullptr, nullptr,
-                     regularised_by, regularisation, datum != fields.end() ? datum->second.values : nullptr,
+                     std::move(regularised_by), regularisation,
+                     datum != fields.end() ? datum->second.values : nullptr,
                      law == "friction" && moves ? &surface.foundation_velocity : nullptr});
     if (multiplier != nullptr) {
         laws_.back().functional = form(".functional");

@@ -29,7 +29,8 @@ class FacetTerm : public solve::NonlinearTerm {
     void set_step(double k);
 
     /// Raises the regularisation of every law to at least `floor`; 0 restores the scene's own. That is the
-    /// width over which a law turns round: of friction epsilon (m/s), of conductance the limit L (K).
+    /// width over which a law turns round: of friction epsilon (m/s), of conductance the limit L or the width
+    /// that its file names (K).
     void raise_regularisation(double floor);
 
     /// Whether friction is exact on some surface: then evaluate() takes multipliers, and what solves S x +
@@ -100,7 +101,7 @@ class FacetTerm : public solve::NonlinearTerm {
         std::unique_ptr<fem::Form> residual, jacobian;
         FrictionMultiplier* multiplier;                    ///< of exact friction, else null
         std::unique_ptr<fem::Form> functional, node_area;  ///< likewise
-        const char* regularised_by;                        ///< its constant's name
+        std::string regularised_by;                        ///< its constant's name
         double regularisation;             ///< 0: none; of exact friction the width, which is no constant
         const std::vector<double>* datum;  ///< u_old, theta_F: what is added to the unknown, or k times that
         const std::vector<double>* foundation_velocity;  ///< v_F of friction; null at rest

@@ -1,10 +1,14 @@
 #include "model/loads.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "error.h"
+#include "model/law_samples.h"
 #include "model/nodal.h"
 #include "model/pieces.h"
+#include "number.h"
 
 namespace thermocontact::model {
 
@@ -27,6 +31,9 @@ Loads Loads::mechanical(const scene::Scene& scene, const mesh::Mesh& mesh, const
     Loads loads(mesh, space, scene.dimension);
     if (!scene.body_force.empty()) {
         loads.add("body_force.load", "f", scene.body_force, AllCells{});
+    }
+    if (scene.own_body_force) {
+        loads.add_own("body_force.load", scene, *scene.own_body_force, {body_force_constants(scene)});
     }
     for (const auto& [name, boundary] : scene.boundaries) {
         if (!boundary.traction.empty()) {
@@ -63,6 +70,10 @@ Loads Loads::ambient(const scene::Scene& scene, const mesh::Mesh& mesh, const fe
 
 /// The heat source of each region on its cells, and the scene's own on the others.
 void Loads::add_sources(const scene::Scene& scene) {
+    if (scene.heat->own_source) {
+        add_own("heat_source.load", scene, *scene.heat->own_source, source_constants(scene, *mesh_));
+        return;
+    }
     auto cells = cells_by_laws(scene, *mesh_);
     for (const auto& [name, region] : scene.regions) {
         if (region.heat && region.heat->source) {
@@ -108,6 +119,16 @@ void Loads::add(const std::string& kernel, const std::string& coefficient,
     keep(std::move(term), varies);
 }
 
+/// The law of a file over all cells: its regions differ in parameters.
+void Loads::add_own(const std::string& kernel, const scene::Scene& scene, const scene::Law& law,
+                    const std::vector<fem::Constants>& constants) {
+    auto term = std::make_unique<Term>();
+    const fem::Kernel own = fem::find_kernel(kernel, mesh_->cell, space_->element.degree, scene.kernels);
+    term->law = place_of(law);
+    term->form = std::make_unique<fem::Form>(fem::Form::by_region(own, *mesh_, constants));
+    keep(std::move(term), std::ranges::count(own.constants, "t") > 0);
+}
+
 void Loads::add(const Source& source) {
     auto term = std::make_unique<Term>();
     if (!source.boundary.empty()) {
@@ -134,6 +155,10 @@ void Loads::assemble(Term& term, double t, std::vector<double>& vector) {
         fem::assemble_facets(*term.form, *facets, space_->dofmap, components_, vector);
     } else {
         fem::assemble_cells(*term.form, space_->dofmap, components_, vector);
+    }
+    if (!term.law.empty() &&
+        !std::ranges::all_of(vector, [](double value) { return std::isfinite(value); })) {
+        throw NumericsError(term.law + ": no finite number at t = " + short_text(t));
     }
 }
 

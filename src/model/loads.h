@@ -1,5 +1,5 @@
-/// Right-hand sides: body force and traction, heat source, flux and surroundings that a scene prescribes, and
-/// compiled sources.
+/// Right-hand sides: body force and traction, heat source, flux and surroundings that a scene prescribes, by
+/// expressions or law files, and compiled sources.
 #pragma once
 
 #include <functional>
@@ -36,7 +36,8 @@ class Loads {
     /// h theta_a of the boundaries with convection.
     static Loads ambient(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& space);
 
-    /// The load vector [nodes][components] at time t (s).
+    /// The load vector [nodes][components] at time t (s). Throws NumericsError where something in it is not
+    /// finite.
     const std::vector<double>& at(double t);
 
   private:
@@ -51,12 +52,15 @@ class Loads {
         std::vector<double> nodal;                   ///< interpolated expressions
         std::vector<std::int32_t> nodes;
         std::unique_ptr<fem::Form> form;
+        std::string law;  ///< "FILE:LINE" of a law file's; empty: none
     };
 
     Loads(const mesh::Mesh& mesh, const fem::Space& space, int components);
     void add(const std::string& kernel, const std::string& coefficient,
              std::vector<scene::Expression> expressions, Domain domain, const fem::Constants& constants = {});
     void add(const Source& source);
+    void add_own(const std::string& kernel, const scene::Scene& scene, const scene::Law& law,
+                 const std::vector<fem::Constants>& constants);
     void add_sources(const scene::Scene& scene);
     void keep(std::unique_ptr<Term> term, bool varies);
     std::vector<std::int32_t> nodes_of(const Domain& domain) const;

@@ -58,7 +58,7 @@ std::vector<std::string> physics_of(const scene::Scene& scene) {
     add(material && material->elasticity, "elasticity");
     add(material && material->viscosity, "viscosity");
     add(heat && heat->thermal_stress, "thermal_stress");
-    add(!scene.body_force.empty(), "body_force");
+    add(!scene.body_force.empty() || scene.own_body_force, "body_force");
     add(any_boundary(scene, [](const scene::Boundary& b) { return !b.traction.empty(); }), "traction");
     add(has_spring(scene), "spring");
     add(has_compliance(scene), "compliance");
@@ -69,7 +69,7 @@ std::vector<std::string> physics_of(const scene::Scene& scene) {
     add(heat && heat->conductivity, "conduction");
     add(heat && heat->strain_heating, "strain_heating");
     add(heat && heat->strain_rate_heating, "strain_rate_heating");
-    add(heat && heat->source, "heat_source");
+    add(heat && (heat->source || heat->own_source), "heat_source");
     add(any_boundary(scene, [](const scene::Boundary& b) { return b.heat_flux.has_value(); }), "heat_flux");
     add(has_convection(scene), "convection");
     add(has_conductance(scene), "conductance");
@@ -84,7 +84,16 @@ fem::Constants constants_of(const std::optional<scene::Material>& the_material,
     const auto d = static_cast<std::size_t>(dimension);
     const std::size_t voigt = d * (d + 1) / 2;
     fem::Constants constants;
+    const auto take = [&](const scene::Law& law) {
+        for (const auto& [name, value] : law.constants) {
+            constants[name] = {value};
+        }
+    };
     const auto tensor4 = [&](const std::string& name, const std::optional<scene::VoigtTensor>& tensor) {
+        if (tensor && tensor->own) {
+            take(*tensor->own);
+            return;
+        }
         constants[name] = tensor ? tensor->matrix : std::vector<double>(voigt * voigt, 0.0);
         constants[name + "_zz"] = tensor ? tensor->out_of_plane : std::vector<double>(voigt, 0.0);
     };
@@ -102,6 +111,9 @@ fem::Constants constants_of(const std::optional<scene::Material>& the_material,
     tensor2("M", heat.thermal_stress);
     tensor2("R", heat.strain_heating);
     tensor2("R_rate", heat.strain_rate_heating);
+    if (heat.own_source) {
+        take(*heat.own_source);
+    }
     return constants;
 }
 

@@ -14,7 +14,7 @@ namespace thermocontact::model {
 std::vector<std::string> physics_of(const scene::Scene& scene);
 
 /// Constants of the forms of the body; those of absent laws are zero, for the forms that sum several
-/// (stress).
+/// (stress). Of law files, the parameters.
 fem::Constants body_constants(const scene::Scene& scene);
 
 /// The same for each region of the mesh, and last for cells in no region.

@@ -1,5 +1,6 @@
 // What [mesh] says of the body: its dimension, and the names of its boundaries and regions.
 
+#include <algorithm>
 #include <map>
 
 #include "error.h"
@@ -30,6 +31,16 @@ Body body_of_file(const Document& document, const Entry& entry) {
 }
 
 }  // namespace
+
+bool is_plane_strain(const Settings& settings) {
+    const auto says_so = [&](const std::string& key) {
+        return settings.has(key) && settings.value(key) == "strain";
+    };
+    return says_so("material.elasticity.plane") ||
+           std::ranges::any_of(settings.regions, [&](const std::string& region) {
+               return says_so("region." + region + ".material.elasticity.plane");
+           });
+}
 
 Body body_of(const Document& document) {
     if (const Entry* file = document.find("mesh.file")) {

@@ -11,17 +11,26 @@ namespace {
 
 using laws::Description;
 
+/// Where the parameters of a law stand among the keys.
 struct Place {
-    std::string table;               ///< of the law's parameters
+    std::string table;               ///< of the parameters; of a law that is a key otherwise, that key
     std::vector<std::string> needs;  ///< of each of them
+    std::string instead = {};        ///< key that says the built-in law otherwise
+    bool is_key = false;             ///< without a file, the key `table` is the law
 };
 
 /// In the order of the reference.
 const std::vector<std::pair<std::string, Place>>& places() {
     static const std::vector<std::pair<std::string, Place>> all = {
-        {"compliance", {"boundary.NAME.contact.compliance", {"material"}}},
-        {"friction", {"boundary.NAME.contact.friction", {"boundary.NAME.contact.compliance"}}},
-        {"conductance", {"boundary.NAME.contact.conductance", {"heat"}}}};
+        {"elasticity",
+         {.table = "material.elasticity", .needs = {}, .instead = "material.elasticity.tensor"}},
+        {"viscosity", {.table = "material.viscosity", .needs = {}, .instead = "material.viscosity.tensor"}},
+        {"source", {.table = "heat.source", .needs = {}, .is_key = true}},
+        {"body_force", {.table = "load.body_force", .needs = {"material"}, .is_key = true}},
+        {"compliance", {.table = "boundary.NAME.contact.compliance", .needs = {"material"}}},
+        {"friction",
+         {.table = "boundary.NAME.contact.friction", .needs = {"boundary.NAME.contact.compliance"}}},
+        {"conductance", {.table = "boundary.NAME.contact.conductance", .needs = {"heat"}}}};
     return all;
 }
 
@@ -33,7 +42,8 @@ std::string json_text(double value) {
     return nlohmann::json(value).dump();
 }
 
-std::vector<Key> keys_of(const Description& law) {
+/// `instead` of the built-in law only.
+std::vector<Key> keys_of(const Description& law, const std::string& instead) {
     const Place& place = place_of(law.kind);
     std::vector<Key> keys;
     for (const laws::Parameter& parameter : law.parameters) {
@@ -44,6 +54,7 @@ std::vector<Key> keys_of(const Description& law) {
                                   parameter.infinite},
                         .fallback = parameter.fallback ? json_text(*parameter.fallback) : "",
                         .required = parameter.required,
+                        .instead = instead,
                         .needs = place.needs,
                         .example = json_text(parameter.example),
                         .description = parameter.meaning});
@@ -51,10 +62,32 @@ std::vector<Key> keys_of(const Description& law) {
     return keys;
 }
 
-/// The parameters of each law stand before the other keys of its table, or after those of the table around.
-void insert(std::vector<Key>& keys, const Description& law) {
-    const std::string table = table_of_law(law.kind), around = table.substr(0, table.rfind('.'));
-    std::vector<Key> added = keys_of(law);
+/// Takes out what says the built-in law in another way than by parameters. Returns where that was.
+std::size_t remove_rivals(std::vector<Key>& keys, const Place& place) {
+    std::size_t first = keys.size();
+    for (const std::string& rival : {place.instead, place.is_key ? place.table : std::string()}) {
+        const auto at = std::ranges::find(keys, rival, &Key::name);
+        if (at != keys.end()) {
+            first = static_cast<std::size_t>(at - keys.begin());
+            keys.erase(at);
+        }
+    }
+    for (Key& key : keys) {
+        key.instead = key.instead == place.instead ? "" : key.instead;
+    }
+    return first;
+}
+
+/// The parameters of each law stand before the other keys of its table, or after those of the table around,
+/// or where the key was that they replace.
+void insert(std::vector<Key>& keys, const Description& law, bool is_own) {
+    const Place& place = place_of(law.kind);
+    if (place.is_key && !is_own) {
+        return;
+    }
+    const std::string &table = place.table, around = table.substr(0, table.rfind('.'));
+    const std::size_t gap = is_own ? remove_rivals(keys, place) : keys.size();
+    std::vector<Key> added = keys_of(law, is_own ? "" : place.instead);
     for (const Key& key : added) {
         if (std::ranges::find(keys, key.name, &Key::name) != keys.end()) {
             throw SceneError("the parameter " + key.leaf() + " has the name of a key that [" + table +
@@ -62,7 +95,9 @@ void insert(std::vector<Key>& keys, const Description& law) {
         }
     }
     auto at = std::ranges::find(keys, table, &Key::table);
-    if (at == keys.end()) {
+    if (at == keys.end() && gap < keys.size()) {
+        at = keys.begin() + static_cast<std::ptrdiff_t>(gap);
+    } else if (at == keys.end()) {
         at = std::find_if(keys.rbegin(), keys.rend(), [&](const Key& key) {
                  return key.table() == around;
              }).base();
@@ -70,13 +105,53 @@ void insert(std::vector<Key>& keys, const Description& law) {
     keys.insert(at, std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
 }
 
-Schema schema_of(const std::map<std::string, Description>& laws) {
-    std::vector<Key> keys = keys_beside_laws();
-    std::vector<std::string> tables;
-    for (const auto& [kind, place] : places()) {
-        insert(keys, laws.at(kind));
-        tables.push_back(place.table);
+/// The key that says for one region of the mesh what `key` says for the body. Parameters of a law of the
+/// scene's own are taken one by one from the region or from the body, those of a built-in law together.
+Key of_region(Key key, bool is_own) {
+    const bool in_subtable = std::ranges::count(key.name, '.') > 1;
+    key.needs = {in_subtable ? key.table() : key.name};
+    key.fallback.clear();
+    key.required = key.required && !is_own;
+    if (key.leaf() == "plane") {
+        key.example = R"("stress")";  // that of the whole body
     }
+    key.description = "In one region of the mesh: " + key.description;
+    for (std::string* name : {&key.name, &key.instead}) {
+        *name = name->empty() ? "" : "region.NAME." + *name;
+    }
+    return key;
+}
+
+/// The material and heat of a region: each key again, over the default of the same name, which says what is
+/// modelled. They stand after the keys of the body.
+void insert_regions(std::vector<Key>& keys, const std::vector<std::string>& own_tables) {
+    std::vector<Key> added;
+    for (const Key& key : keys) {
+        if (key.name.starts_with("material.") || key.name.starts_with("heat.")) {
+            added.push_back(of_region(key, std::ranges::count(own_tables, key.table()) > 0));
+        }
+    }
+    const auto first = std::ranges::find(keys, "forms", &Key::table);
+    keys.insert(first, std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
+}
+
+Schema schema_of(const std::map<std::string, Description>& laws, const std::vector<std::string>& own) {
+    std::vector<Key> keys = keys_beside_laws();
+    std::vector<std::string> tables, own_tables;
+    for (const auto& [kind, place] : places()) {
+        const bool is_own = std::ranges::count(own, kind) > 0;
+        insert(keys, laws.at(kind), is_own);
+        if (is_own || !place.is_key) {
+            tables.push_back(place.table);
+        }
+        if (is_own) {
+            own_tables.push_back(place.table);
+            if (place.table.starts_with("material.") || place.table.starts_with("heat.")) {
+                tables.push_back("region.NAME." + place.table);
+            }
+        }
+    }
+    insert_regions(keys, own_tables);
     return {std::move(keys), tables};
 }
 
@@ -91,20 +166,26 @@ std::map<std::string, Description> built_in() {
 }  // namespace
 
 const Schema& schema() {
-    static const Schema all = schema_of(built_in());
+    static const Schema all = schema_of(built_in(), {});
     return all;
 }
 
 std::shared_ptr<const Schema> schema_with(const std::vector<Description>& own) {
     std::map<std::string, Description> laws = built_in();
+    std::vector<std::string> kinds;
     for (const Description& law : own) {
         laws[law.kind] = law;
+        kinds.push_back(law.kind);
     }
-    return std::make_shared<const Schema>(schema_of(laws));
+    return std::make_shared<const Schema>(schema_of(laws, kinds));
 }
 
 std::string table_of_law(const std::string& kind) {
     return place_of(kind).table;
+}
+
+bool is_key_otherwise(const std::string& kind) {
+    return place_of(kind).is_key;
 }
 
 std::vector<std::string> law_kinds() {

@@ -11,15 +11,36 @@
 namespace thermocontact::scene {
 namespace {
 
+/// What is a key without a file has no built-in law.
 bool is_built_in(const laws::LawFile& file) {
-    return std::ranges::any_of(laws::built_in_laws(), [&](const laws::BuiltIn& law) {
-        return law.description.kind == file.kind && law.text == file.text;
-    });
+    return !is_key_otherwise(file.kind) &&
+           std::ranges::any_of(laws::built_in_laws(), [&](const laws::BuiltIn& law) {
+               return law.description.kind == file.kind && law.text == file.text;
+           });
 }
 
 /// The boundaries whose contact has that law.
 std::vector<std::string> users(const Settings& settings, const std::string& kind) {
     return settings.boundaries_with(table_of_law(kind));
+}
+
+void check_used(const Settings& settings, const std::string& kind) {
+    const std::string table = table_of_law(kind);
+    if (!table.starts_with("boundary.")) {
+        if (!settings.written(table)) {
+            fail_at(settings, "forms." + kind, "the scene has no [" + table + "]");
+        }
+    } else if (users(settings, kind).empty()) {
+        fail_at(settings, "forms." + kind, "no boundary has [" + table + "]");
+    }
+}
+
+/// A law of the body may be one of bodies in space, say, only.
+void check_body(const Settings& settings, const OwnLaw& law, const std::string& body) {
+    if (const auto refused = law.description.refused.find(body); refused != law.description.refused.end()) {
+        fail_at(settings, "forms." + law.file.kind,
+                law.file.path.string() + ":" + refused->second + " (the body: " + body + ")");
+    }
 }
 
 }  // namespace
@@ -66,9 +87,15 @@ std::shared_ptr<const Schema> schema_of_scene(const std::filesystem::path& path,
 
 void check_laws(const Settings& settings) {
     for (const std::string& kind : law_kinds()) {
-        if (settings.written("forms." + kind) && users(settings, kind).empty()) {
-            fail_at(settings, "forms." + kind, "no boundary has [" + table_of_law(kind) + "]");
+        if (settings.written("forms." + kind)) {
+            check_used(settings, kind);
         }
+    }
+    for (const OwnLaw& law : settings.laws) {
+        check_body(settings, law,
+                   settings.body.dimension == 3 ? "space"
+                   : is_plane_strain(settings)  ? "plane strain"
+                                                : "plane stress");
     }
     if (const OwnLaw* law = settings.law("conductance");
         law != nullptr && law->description.depends_on("p_n")) {

@@ -9,6 +9,7 @@
 #include "error.h"
 #include "mesh/mesh.h"
 #include "scene/document.h"
+#include "scene/law_reader.h"
 #include "scene/schema.h"
 #include "scene/settings.h"
 #include "scene/tensors.h"
@@ -70,17 +71,12 @@ std::vector<double> flat(const json& rows) {
     return values;
 }
 
-/// How the body deforms; a Voigt matrix says nothing of plane strain.
+/// How the body deforms.
 Kinematics kinematics_of(const Settings& s) {
     if (s.body.dimension == 3) {
         return Kinematics::space;
     }
-    const auto is_strain = [&](const std::string& key) { return s.has(key) && text(s, key) == "strain"; };
-    const bool strain = is_strain("material.elasticity.plane") ||
-                        std::ranges::any_of(s.regions, [&](const std::string& region) {
-                            return is_strain("region." + region + ".material.elasticity.plane");
-                        });
-    return strain ? Kinematics::plane_strain : Kinematics::plane_stress;
+    return is_plane_strain(s) ? Kinematics::plane_strain : Kinematics::plane_stress;
 }
 
 /// The tensor of a key if it is there; a number is a multiple of the identity.
@@ -135,19 +131,31 @@ TimeSpec read_time(const Settings& s) {
     return time;
 }
 
+/// The tensor of a law file where its table is written, its parameters over those of `tensor`.
+void read_own(const Settings& s, const std::string& kind, const std::string& at,
+              std::optional<VoigtTensor>& tensor) {
+    if (s.law(kind) != nullptr && s.written(at + "." + kind)) {
+        tensor = VoigtTensor{{}, {}, read_law(s, kind, at, tensor ? *tensor->own : Law{})};
+    }
+}
+
 /// The laws that are written below `at` ("" or "region.NAME.") over those of `material`.
 Material read_material(const Settings& s, const std::string& at, Material material) {
     const Kinematics kinematics = kinematics_of(s);
     if (const std::string key = at + "material.density"; s.has(key)) {
         material.density = number(s, key);
     }
-    if (const std::string law = at + "material.elasticity"; s.has(law + ".tensor")) {
+    if (const std::string law = at + "material.elasticity"; s.law("elasticity") != nullptr) {
+        read_own(s, "elasticity", at + "material", material.elasticity);
+    } else if (s.has(law + ".tensor")) {
         material.elasticity = general_tensor(flat(s.value(law + ".tensor")));
     } else if (s.has(law + ".young")) {
         material.elasticity =
             isotropic_elasticity(number(s, law + ".young"), number(s, law + ".poisson"), kinematics);
     }
-    if (const std::string law = at + "material.viscosity"; s.has(law + ".tensor")) {
+    if (const std::string law = at + "material.viscosity"; s.law("viscosity") != nullptr) {
+        read_own(s, "viscosity", at + "material", material.viscosity);
+    } else if (s.has(law + ".tensor")) {
         material.viscosity = general_tensor(flat(s.value(law + ".tensor")));
     } else if (s.has(law + ".trace")) {
         material.viscosity =
@@ -161,7 +169,9 @@ Heat read_heat(const Settings& s, const std::string& at, Heat heat) {
     if (const std::string key = at + "heat.capacity"; s.has(key)) {
         heat.capacity = number(s, key);
     }
-    if (const std::string key = at + "heat.source"; s.has(key)) {
+    if (const std::string key = at + "heat.source"; s.law("source") != nullptr && s.written(key)) {
+        heat.own_source = read_law(s, "source", at + "heat", heat.own_source.value_or(Law{}));
+    } else if (s.has(key)) {
         heat.source = to_expression(s, s.value(key));
     }
     read_tensor(s, at + "heat.conductivity", heat.conductivity);
@@ -189,22 +199,6 @@ std::map<std::string, Region> read_regions(const Settings& s, const Scene& scene
         regions.emplace(name, std::move(region));
     }
     return regions;
-}
-
-/// The constants of the law in force, from its table below `at`.
-Law read_law(const Settings& s, const std::string& kind, const std::string& at) {
-    const OwnLaw* own = s.law(kind);
-    const laws::Description description =
-        own != nullptr ? own->description : laws::built_in_law(kind).description;
-    Law law;
-    law.file = own != nullptr ? own->file.path.string() : "";
-    for (const laws::Parameter& parameter : description.parameters) {
-        std::string key = at;
-        key.append(".").append(kind).append(".").append(parameter.key);
-        const std::string name = own != nullptr ? kind + "." + parameter.name : parameter.name;
-        law.constants[name] = s.has(key) ? number(s, key) : std::numeric_limits<double>::infinity();
-    }
-    return law;
 }
 
 std::optional<Contact> read_contact(const Settings& s, const std::string& at) {
@@ -246,7 +240,8 @@ void read_kernels(const Settings& s, Scene& scene) {
                       solid = tensor ? "hexahedron" : "tetrahedron";
     const std::string cell = s.body.mesh ? s.body.mesh->cell : scene.dimension == 2 ? plane : solid;
     try {
-        scene.kernels = laws::kernels(files, cell, scene.degree);
+        scene.kernels =
+            laws::kernels(files, {cell, scene.degree, scene.dimension == 2 && is_plane_strain(s)});
     } catch (const SceneError& error) {
         fail_at(s, "forms", error.what());
     }
@@ -343,7 +338,11 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
         scene.heat = read_heat(s, "", {});
     }
     scene.regions = read_regions(s, scene);
-    scene.body_force = expressions(s, "load.body_force");
+    if (s.law("body_force") != nullptr) {
+        scene.own_body_force = read_law(s, "body_force", "load");
+    } else {
+        scene.body_force = expressions(s, "load.body_force");
+    }
     scene.initial = {expressions(s, "initial.displacement"), expressions(s, "initial.velocity"),
                      optional_expression(s, "initial.temperature")};
     for (const std::string& name : s.boundaries) {

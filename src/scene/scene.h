@@ -56,12 +56,22 @@ struct TimeSpec {
     std::optional<double> tolerance = {};           ///< of adaptive steps, relative; empty: equal steps
 };
 
+/// The constants of a law by the names that its kernels give them: "c_n" of a built-in law, "compliance.c" of
+/// a scene's file.
+struct Law {
+    std::map<std::string, double> constants;
+    std::string file = {};   ///< empty: built-in
+    int line = 0;            ///< of the law in the file
+    std::string width = {};  ///< the constant that continuation widens; empty: none
+};
+
 /// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s]; s
 /// = 3 in 2D (xx, yy, xy) and 6 in 3D (xx, yy, zz, yz, xz, xy). `out_of_plane` [s] gives sigma_zz for plane
 /// strain (zero otherwise, empty in 3D).
 struct VoigtTensor {
     std::vector<double> matrix;
     std::vector<double> out_of_plane;
+    std::optional<Law> own = {};  ///< of a law file, which may depend on the place; then both are empty
 };
 
 /// Symmetric second-order tensor, row-major [d][d]; `out_of_plane` is its zz component (plane strain, else
@@ -84,6 +94,7 @@ struct Heat {
     std::optional<SymmetricTensor> thermal_stress;            ///< M, Pa/K
     std::optional<SymmetricTensor> strain_heating;            ///< R, W/m^3 (per unit strain)
     std::optional<SymmetricTensor> strain_rate_heating = {};  ///< of the strain rate, J/m^3
+    std::optional<Law> own_source = {};                       ///< of a law file, in place of `source`
 };
 
 /// What one named region of the mesh is made of: the scene's defaults with the region's own numbers over
@@ -97,13 +108,6 @@ struct Initial {
     std::vector<Expression> displacement;   ///< [d] m; empty: zero
     std::vector<Expression> velocity;       ///< [d] m/s; empty: zero
     std::optional<Expression> temperature;  ///< K; empty: zero
-};
-
-/// The constants of a law by the names that its kernels give them: "c_n" of a built-in law, "compliance.c" of
-/// a scene's file.
-struct Law {
-    std::map<std::string, double> constants;
-    std::string file = {};  ///< empty: built-in
 };
 
 struct Friction {
@@ -177,6 +181,7 @@ struct Scene {
     std::optional<Heat> heat;
     std::map<std::string, Region> regions;  ///< those that differ from the defaults
     std::vector<Expression> body_force;     ///< [d] N/m^3; size 0: none
+    std::optional<Law> own_body_force;      ///< of a law file, in place of it
     Initial initial;
     std::map<std::string, Boundary> boundaries;
     SolverSpec solver;

@@ -100,7 +100,10 @@ std::shared_ptr<const Schema> schema_with(const std::vector<laws::Description>& 
 /// The table of a law's parameters: "boundary.NAME.contact.friction".
 std::string table_of_law(const std::string& kind);
 
-/// Laws that a scene may name a file for: those of schema().
+/// Whether that law of a scene without a file is a key, and no table of parameters: an expression.
+bool is_key_otherwise(const std::string& kind);
+
+/// Laws that a scene may name a file for.
 std::vector<std::string> law_kinds();
 
 /// Whether the table is in force without being written: its defaults always hold and its required keys must

@@ -113,13 +113,6 @@ std::vector<Key> material_keys() {
         {.name = "material.density", .type = Type::number, .unit = "kg/m^3", .range = positive,
          .example = "7850.0", .description = "Mass density; absent: quasi-static."},
 
-        {.name = "material.elasticity.young", .type = Type::number, .unit = "Pa", .range = positive,
-         .required = true, .instead = "material.elasticity.tensor", .example = "2.1e11",
-         .description = "Young's modulus of an isotropic material."},
-        {.name = "material.elasticity.poisson", .type = Type::number,
-         .range = {.low = -1, .high = 0.5, .low_open = true, .high_open = true}, .required = true,
-         .instead = "material.elasticity.tensor", .example = "0.3",
-         .description = "Poisson's ratio of an isotropic material."},
         {.name = "material.elasticity.plane", .type = Type::choice, .choices = {"stress", "strain"},
          .fallback = R"("stress")", .instead = "material.elasticity.tensor", .example = R"("strain")",
          .description = "Plane stress (thin body) or plane strain (long body); in 2D only."},
@@ -128,12 +121,6 @@ std::vector<Key> material_keys() {
          .description = "Elasticity as Voigt matrix for (e_xx, e_yy, 2 e_xy), in 3D for (e_xx, e_yy, e_zz, 2 e_yz, "
          "2 e_xz, 2 e_xy), in place of young and poisson."},
 
-        {.name = "material.viscosity.trace", .type = Type::number, .unit = "Pa s", .required = true,
-         .instead = "material.viscosity.tensor", .example = "10.0",
-         .description = "mu1 in the viscous stress mu1 tr(e) I + mu2 e, e the strain rate."},
-        {.name = "material.viscosity.shear", .type = Type::number, .unit = "Pa s", .range = not_negative,
-         .required = true, .instead = "material.viscosity.tensor", .example = "10.0",
-         .description = "mu2 in the viscous stress mu1 tr(e) I + mu2 e, e the strain rate."},
         {.name = "material.viscosity.tensor", .type = Type::voigt_tensor, .unit = "Pa s",
          .example = "[[20.0, 10.0, 0.0], [10.0, 20.0, 0.0], [0.0, 0.0, 5.0]]",
          .description = "Viscosity as Voigt matrix, ordered like that of elasticity, in place of trace and shear."},
@@ -167,29 +154,6 @@ std::vector<Key> material_keys() {
         {.name = "initial.temperature", .type = Type::expression, .unit = "K", .needs = {"heat"},
          .example = R"("20 + y")", .description = "Temperature at time 0; absent: zero."},
     };
-}
-
-/// The material and heat of a region: each key again, over the default of the same name, which says what is
-/// modelled.
-std::vector<Key> region_keys() {
-    std::vector<Key> keys;
-    for (Key key : material_keys()) {
-        if (!key.name.starts_with("material.") && !key.name.starts_with("heat.")) {
-            continue;
-        }
-        const bool in_subtable = std::ranges::count(key.name, '.') > 1;
-        key.needs = {in_subtable ? key.table() : key.name};
-        key.fallback.clear();
-        if (key.leaf() == "plane") {
-            key.example = R"("stress")";  // that of the whole body
-        }
-        key.description = "In one region of the mesh: " + key.description;
-        for (std::string* name : {&key.name, &key.instead}) {
-            *name = name->empty() ? "" : "region.NAME." + *name;
-        }
-        keys.push_back(key);
-    }
-    return keys;
 }
 
 std::vector<Key> prescribed_keys() {
@@ -259,9 +223,9 @@ std::vector<Key> forms_keys() {
     std::vector<Key> keys;
     for (const std::string& kind : law_kinds()) {
         keys.push_back({.name = "forms." + kind, .type = Type::text, .example = "\"my_" + kind + ".py\"",
-                        .description = "Law file of UFL in place of the built-in law, sought from the scene's folder: "
-                        "its parameters are the keys of [" + table_of_law(kind) + "]. The command forms prints the "
-                        "built-in one."});
+                        .description = "Law file of UFL in place of the scene's own, sought from the scene's folder: "
+                        "its parameters are the keys of [" + table_of_law(kind) + "]. The command forms prints "
+                        "one to start from."});
     }
     return keys;
 }
@@ -301,8 +265,8 @@ std::vector<Key> run_keys() {
 
 std::vector<Key> keys_beside_laws() {
     std::vector<Key> all;
-    for (const auto& group : {general_keys(), material_keys(), region_keys(), forms_keys(), prescribed_keys(),
-                              contact_keys(), run_keys()}) {
+    for (const auto& group :
+         {general_keys(), material_keys(), forms_keys(), prescribed_keys(), contact_keys(), run_keys()}) {
         all.insert(all.end(), group.begin(), group.end());
     }
     return all;

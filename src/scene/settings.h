@@ -38,6 +38,9 @@ struct OwnLaw {
     laws::Description description;
 };
 
+/// Whether elasticity says so of a body in 2D; a Voigt matrix says nothing of the stress out of the plane.
+bool is_plane_strain(const Settings& settings);
+
 /// Reads the files of [forms] but those that are copies of the built-in law; throws SceneError where one
 /// cannot be a law, SystemError where that cannot be found out.
 std::vector<OwnLaw> laws_of(const Document& document);

@@ -58,7 +58,7 @@ struct Norms {
     }
     /// The body's operator of that name, each cell with its own material.
     fem::BlockMatrix operator_of(const scene::Scene& scene, const std::string& name) const {
-        auto kernel = fem::find_kernel(name, mesh.cell, space.element.degree);
+        auto kernel = fem::kernel_in_force(name, mesh.cell, space.element.degree, scene.kernels);
         return fem::assemble_matrix(
             fem::Form::by_region(std::move(kernel), mesh, model::body_constants(scene, mesh)), space, graph,
             components, components);
@@ -95,7 +95,7 @@ void find_mechanical(const scene::Scene& scene, const std::vector<Piece>& pieces
         const auto laws = facets_with(scene, norms.mesh, &scene::Contact::compliance,
                                       [](const LawBounds& bounds) { return bounds.L_nu + bounds.L_tau; });
         constants.s1 = std::sqrt(noted(norms.largest_trace("velocity_trace", laws.facets, V), constants));
-        if (elasticity_elliptic(pieces, scene.dimension) && !bounds_of_laws(scene).own_contact) {
+        if (elasticity_elliptic(pieces) && !bounds_of_laws(scene).own_contact) {
             const model::Springs springs(scene, norms.mesh, norms.space);
             fem::BlockMatrix operators = norms.operator_of(scene, "elasticity.stiffness");
             springs.add_to(1.0, operators);

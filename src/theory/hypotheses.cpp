@@ -100,26 +100,29 @@ class Judge {
             skip("(H1), (H2)", "no [material]");
             return;
         }
-        tensor4("(H1", "viscosity", "b", &scene::Material::viscosity);
-        m_a_ = tensor4("(H2", "elasticity", "a", &scene::Material::elasticity);
+        tensor4("(H1", "viscosity", "b", &scene::Material::viscosity, &Piece::viscosity);
+        m_a_ = tensor4("(H2", "elasticity", "a", &scene::Material::elasticity, &Piece::elasticity);
     }
 
     /// Returns m.
     Number tensor4(const std::string& label, const std::string& name, const std::string& index,
-                   std::optional<scene::VoigtTensor> scene::Material::*member) {
+                   std::optional<scene::VoigtTensor> scene::Material::*member,
+                   std::optional<Bounds> Piece::*bounds) {
         if (!((*scene_.material).*member)) {
             add(label + " i)", false, name + " elliptic (none is modelled)", {{"m_" + index, 0}});
             return {"m_" + index, 0};
         }
-        const auto bounds = [&](const Piece& piece) {
-            return bounds_of(*((*piece.material).*member), scene_.dimension);
-        };
         const auto [m, where_m] =
-            smallest(pieces_, [&](const Piece& piece) { return bounds(piece).smallest; });
-        const auto [M, where_M] = largest(pieces_, [&](const Piece& piece) { return bounds(piece).largest; });
-        const std::string constant = pieces_.size() == 1 ? " constant in space" : " constant in each region";
-        add(label + " i)", m > 0, name + " elliptic", {{"m_" + index, m, where_m}});
-        add(label + " ii)", true, name + " bounded", {{"M_" + index, M, where_M}});
+            smallest(pieces_, [&](const Piece& piece) { return (*(piece.*bounds)).smallest; });
+        const auto [M, where_M] =
+            largest(pieces_, [&](const Piece& piece) { return (*(piece.*bounds)).largest; });
+        const bool own = (*((*scene_.material).*member)).own.has_value();
+        const std::string sampled = own ? " at the points of its rule" : "";
+        const std::string constant = own                   ? " of a law file symmetric"
+                                     : pieces_.size() == 1 ? " constant in space"
+                                                           : " constant in each region";
+        add(label + " i)", m > 0, name + " elliptic" + sampled, {{"m_" + index, m, where_m}});
+        add(label + " ii)", true, name + " bounded" + sampled, {{"M_" + index, M, where_M}});
         add(label + " iii, iv)", true, name + constant + " and linear");
         return {"m_" + index, m, where_m};
     }

@@ -18,9 +18,11 @@ struct Piece {
     std::vector<std::int32_t> cells;
     std::optional<scene::Material> material;
     std::optional<scene::Heat> heat;
+    std::optional<Bounds> elasticity, viscosity;  ///< of laws of a file where they are sampled
 };
 
-/// Those that have cells: one where no region differs from the defaults.
+/// Those that have cells: one where no region differs from the defaults. Throws SceneError where a law file's
+/// tensor cannot be one.
 std::vector<Piece> pieces_of(const scene::Scene& scene, const mesh::Mesh& mesh);
 
 /// A number over all pieces, and the piece that decides it.
@@ -35,7 +37,7 @@ Extreme smallest(const std::vector<Piece>& pieces, const OfPiece& value);
 Extreme largest(const std::vector<Piece>& pieces, const OfPiece& value);
 
 /// Whether elasticity, or conductivity, is present and elliptic in every piece: (H2 i), (H3 ii).
-bool elasticity_elliptic(const std::vector<Piece>& pieces, int dimension);
+bool elasticity_elliptic(const std::vector<Piece>& pieces);
 bool conductivity_elliptic(const std::vector<Piece>& pieces);
 
 }  // namespace thermocontact::theory

@@ -1,9 +1,12 @@
 #include "theory/samples.h"
 
+#include <cmath>
 #include <numeric>
 #include <span>
 
 #include "error.h"
+#include "model/law_samples.h"
+#include "number.h"
 
 namespace thermocontact::theory {
 namespace {
@@ -36,6 +39,22 @@ class Sampler {
     }
     void take_at_start(const scene::Expression& expression, const Nodes& nodes, Range& range) const {
         take(expression, nodes, std::span(times_).first(1), range);
+    }
+
+    /// A law of a file, at the points of its rule.
+    void take(model::LawSamples law, const mesh::Mesh& mesh, const scene::Law& of, Range& range) const {
+        for (const double t : times_) {
+            for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
+                for (const double value : law.at(cell, t)) {
+                    if (!std::isfinite(value)) {
+                        range.failure = model::place_of(of) + ": no finite number at t = " + short_text(t);
+                        return;
+                    }
+                    range.smallest = std::min(range.smallest, value);
+                    range.largest = std::max(range.largest, value);
+                }
+            }
+        }
     }
 
   private:
@@ -115,6 +134,13 @@ Samples take_samples(const scene::Scene& scene, const std::vector<Piece>& pieces
     Samples samples;
     samples.times = sampler.times();
     sampler.take(scene.body_force, sampler.everywhere(), samples.body_force);
+    if (scene.own_body_force) {
+        sampler.take(model::LawSamples(scene, mesh, "f"), mesh, *scene.own_body_force, samples.body_force);
+    }
+    if (scene.heat && scene.heat->own_source) {
+        sampler.take(model::LawSamples(scene, mesh, "q0"), mesh, *scene.heat->own_source,
+                     samples.heat_source);
+    }
     for (const Piece& piece : pieces) {
         if (piece.heat && piece.heat->source) {
             sampler.take(*piece.heat->source, nodes_of(space, piece.cells), samples.heat_source);

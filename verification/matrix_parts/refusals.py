@@ -4,9 +4,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from matrix_parts.body_law_files import ABSORBER, FIBRES, LAWS, PLANE, SPIN, SPOT
 from matrix_parts.cases import generic
 from matrix_parts.coverage import Entry
-from matrix_parts.scenes import BASES, Flat, is_below, without
+from matrix_parts.scenes import ABSENT, BASES, Flat, changed, is_below, without
 
 BASE, SIDE = "contact bottom", "bottom"
 
@@ -23,7 +24,7 @@ def refusals(schema: Sequence[Entry]) -> list[Refusal]:
     here = [entry for entry in schema if not str(entry["key"]).startswith("region.")]
     found = [refusal for entry in here for refusal in _of(entry, schema)]
     unknown = Refusal("mesh.no_such_key", "an unknown key", BASES[BASE] | {"mesh.no_such_key": 1})
-    return [*found, unknown, *_graded(), *_refined(), *_exact_friction(), *_in_space(schema)]
+    return [*found, unknown, *_graded(), *_refined(), *_exact_friction(), *_law_files(), *_in_space(schema)]
 
 
 def _graded() -> Iterator[Refusal]:
@@ -48,6 +49,34 @@ def _exact_friction() -> Iterator[Refusal]:
     for degree in (3, 5, 9):
         changes = {rule: degree, epsilon: 0.0}
         yield Refusal(rule, f"no multipliers for the points of degree {degree}", BASES[BASE] | changes)
+
+
+def _law_files() -> Iterator[Refusal]:
+    """Laws of the body from files that cannot be of this one, or are not asked for."""
+    base, plane = BASES[BASE], "material.elasticity.plane"
+    yield Refusal("forms.elasticity", "no law of plane stress", changed(base, FIBRES))
+    for kind, law in (
+        ("elasticity", FIBRES),
+        ("viscosity", ABSORBER),
+        ("source", SPOT),
+        ("body_force", SPIN),
+    ):
+        key, other = f"forms.{kind}", str(LAWS / "power-law.py")
+        beside = PLANE if kind == "elasticity" else {}
+        yield Refusal(key, "the file of another law", changed(base, {**law, **beside, key: other}))
+        yield Refusal(key, "no table of its numbers", without(base | {key: law[key]}, [_table_of(kind)]))
+        numbers = [name for name in law if name.startswith(_table_of(kind) + ".")]
+        scene = changed(base, {**law, **beside, numbers[0]: ABSENT})
+        yield Refusal(numbers[0], "a number of the law is left out", scene)
+        yield Refusal(numbers[0], "no number", changed(base, {**law, **beside, numbers[0]: "x"}))
+    yield Refusal(plane, "no such plane", changed(base, {**FIBRES, plane: "strian"}))
+    tensor = {"material.elasticity.tensor": _unit(3)}
+    yield Refusal("material.elasticity.tensor", "beside a law", changed(base, {**FIBRES, **PLANE, **tensor}))
+
+
+def _table_of(kind: str) -> str:
+    above = {"source": "heat", "body_force": "load"}.get(kind, "material")
+    return f"{above}.{kind}"
 
 
 def _in_space(schema: Sequence[Entry]) -> Iterator[Refusal]:

@@ -1,8 +1,7 @@
 """The table of plane bodies: for every key of the schema the values that are tried. coverage.py says what must be in
 it, variations_in_space.py has the one of bodies in space."""
 
-from pathlib import Path
-
+from matrix_parts.body_law_files import LAWS, body_law_files
 from matrix_parts.cases import Variation, vary
 from matrix_parts.scenes import ABSENT, BESIDE, OPPOSITE, SIDES, Flat, base_name
 
@@ -11,8 +10,6 @@ NAME_ONLY = "a name"
 ALIKE = dict.fromkeys(("mesh.grading.front", "mesh.grading.back"), "boxes only")
 FILES_ONLY = "says what is written, not what is computed"
 SOLVER_ONLY = "says how the equations are solved, not which"
-
-LAWS = Path(__file__).resolve().parents[2] / "scenes" / "laws"
 
 CONTACT = "contact bottom"
 ISOTROPIC = ("material.elasticity.young", "material.elasticity.poisson")
@@ -517,6 +514,7 @@ def _variations() -> dict[str, list[Variation]]:
         **_heat_and_loads(),
         **_solver_and_output(),
         **law_files("bottom"),
+        **body_law_files(),
     }
     for side in SIDES["rectangle"]:
         for key, variations in {**_conditions(side), **contact_on(side)}.items():

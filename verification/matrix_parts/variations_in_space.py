@@ -4,6 +4,7 @@ Tetrahedra and hexahedra of both degrees, Voigt tensors with six rows, two tange
 triangles and quadrilaterals. ALIKE are the keys that know nothing of it.
 """
 
+from matrix_parts.body_law_files import body_law_files
 from matrix_parts.cases import Variation, vary
 from matrix_parts.scenes import ABSENT, AXIS, BESIDE, OPPOSITE, SIDES, Flat, base_name
 from matrix_parts.variations import (
@@ -314,6 +315,7 @@ def _variations() -> dict[str, list[Variation]]:
         **_heat_and_loads(),
         **_strategies(),
         **law_files("bottom", SHAPE),
+        **body_law_files(SHAPE),
     }
     for side in SIDES[SHAPE]:
         laws = contact_on(side, SHAPE) if side == "bottom" else _on_other_sides(side)

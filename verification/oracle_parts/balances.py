@@ -7,11 +7,12 @@ import ufl
 from dolfinx import fem
 from petsc4py import PETSc
 
+from oracle_parts.body_laws import add_body_force, add_sources, stress_power
 from oracle_parts.domain import Loads, Nodal, Prescribed
 from oracle_parts.exact_friction import FrictionTerm, solve_with_multipliers
 from oracle_parts.newton import StepEquation, Term
 from oracle_parts.portability import petsc_vector
-from oracle_parts.problem import Piece, Problem, apply_voigt, assembled_matrix, strain
+from oracle_parts.problem import Problem, assembled_matrix, strain
 from oracle_parts.time_steps import Evolution, Step
 
 
@@ -63,10 +64,10 @@ class Momentum:
             self.inertia = assembled_matrix(inertia)
             linear += (1 / tau) * inertia
         if material.viscosity:
-            linear += self._stress_form(problem, "viscosity", trial, v)
+            linear += stress_power(problem, "viscosity", strain(trial), strain(v))
         self.stiffness: Any = None
         if material.elasticity:
-            elastic = self._stress_form(problem, "elasticity", trial, v)
+            elastic = stress_power(problem, "elasticity", strain(trial), strain(v))
             self.stiffness = assembled_matrix(elastic)
             linear += tau * elastic
         self.thermal: Any = None
@@ -81,9 +82,7 @@ class Momentum:
 
         # Loads f0, f1 and prescribed displacements
         self.loads = Loads(fem.form(dot(problem.constant(scene.dimension * [0.0]), v) * dx))
-        if scene.body_force:
-            f0 = Nodal(problem.V, scene, scene.body_force)
-            self.loads.add(f0, fem.form(dot(f0.function, v) * dx))
+        add_body_force(problem, v, self.loads)
         self.prescribed = Prescribed(problem.V, scene)
         springs: list[Any] = []  # side by side
         for name, boundary in scene.boundaries.items():
@@ -126,14 +125,6 @@ class Momentum:
                 symmetric=not any(contact.friction for contact in scene.contacts.values()),
             ),
         )
-
-    @staticmethod
-    def _stress_form(problem: Problem, law: str, trial: Any, v: Any) -> Any:
-        def stress_power(constant: Callable[[Any], Any], part: Piece) -> Any:
-            voigt = constant(getattr(part.material, law).voigt)
-            return ufl.inner(apply_voigt(voigt, strain(trial)), strain(v))
-
-        return problem.sum(stress_power)
 
     def deformation_of(self, u: Any) -> Any:
         """u less its mean over the nodes, as a vector: translations have no strain.
@@ -231,10 +222,7 @@ class HeatBalance:
 
         # Sources q0, fluxes q_in and prescribed temperatures
         self.loads = Loads(fem.form(problem.constant(0.0) * eta * dx))
-        for piece in problem.pieces:
-            if piece.heat and piece.heat.source:
-                q0 = Nodal(problem.Q, scene, [piece.heat.source])
-                self.loads.add(q0, fem.form(q0.function * eta * piece.dx))
+        add_sources(problem, eta, self.loads)
         self.prescribed = Prescribed(problem.Q, scene)
         exchange: list[Any] = []  # with the air, side by side
         for name, boundary in scene.boundaries.items():
@@ -272,7 +260,7 @@ class HeatBalance:
                 self.prescribed.dofs,
                 self.stage_theta,
                 terms,
-                nonlinear=any(law is not None and law.limit is not None for law in laws),
+                nonlinear=any(law is not None and (law.limit is not None or law.own) for law in laws),
                 tolerances=problem.tolerances,
                 solver=problem.solver,
                 symmetric=True,

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -241,15 +241,24 @@ class Nodal:
             values[self.nodes, component] = expression(self.points, time)
 
 
+class Data(Protocol):
+    """What a load is made of."""
+
+    varies_in_time: bool
+
+    def update(self, time: float) -> None:
+        ...
+
+
 class Loads:
     """The right-hand side's external part; what does not vary in time is assembled once."""
 
     def __init__(self, test_form: Any) -> None:
-        self.moving: list[tuple[Nodal, Any]] = []
+        self.moving: list[tuple[Data, Any]] = []
         self.constant = fem_petsc.create_vector(test_form)
         self.vector = self.constant.duplicate()
 
-    def add(self, data: Nodal, form: Any) -> None:
+    def add(self, data: Data, form: Any) -> None:
         if data.varies_in_time:
             self.moving.append((data, form))
         else:

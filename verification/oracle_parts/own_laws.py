@@ -16,7 +16,15 @@ import ufl
 from oracle_parts.errors import SceneError
 
 Array = npt.NDArray[np.float64]
-FUNCTIONS = {"compliance": "pressure", "friction": "bound", "conductance": "heat_flux"}
+FUNCTIONS = {
+    "compliance": "pressure",
+    "friction": "bound",
+    "conductance": "heat_flux",
+    "elasticity": "stress",
+    "viscosity": "stress",
+    "source": "source",
+    "body_force": "force",
+}
 
 
 @dataclass(frozen=True)
@@ -95,7 +103,8 @@ class LawOnMesh:
         self.constant = constant
 
     def __call__(self, **given: Any) -> Any:
-        return ufl.as_ufl(self.function(**{name: given[name] for name in self.takes}))
+        value = self.function(**{name: given[name] for name in self.takes})
+        return ufl.as_vector(value) if isinstance(value, (tuple, list)) else ufl.as_ufl(value)
 
     def at(self, slope: str = "", **given: Array) -> Array:
         """The values where what it takes has these, or those of its derivative by `slope`."""

@@ -27,6 +27,7 @@ from oracle_parts.time_steps import RADII
 
 Matrix = npt.NDArray[np.float64]
 OwnLaws = dict[str, OwnLaw]  # by kind
+Numbers = dict[str, float]  # by key
 SHAPES = {"rectangle": 2, "box": 3}
 SIDES = (("left", "right"), ("bottom", "top"), ("front", "back"))  # of each axis
 FIELDS = ("displacement", "velocity", "temperature", "stress", "von_mises", "contact")
@@ -34,13 +35,15 @@ FIELDS = ("displacement", "velocity", "temperature", "stress", "von_mises", "con
 
 @dataclass(frozen=True)
 class Tensor4:
-    """Voigt matrix with engineering shear, and in 2D sigma_zz = out_of_plane * tr(strain).
+    """Voigt matrix with engineering shear, and in 2D sigma_zz = out_of_plane * tr(strain); or a law file.
 
     The order is xx, yy, xy in 2D and xx, yy, zz, yz, xz, xy in 3D.
     """
 
-    voigt: Matrix
+    voigt: Matrix  # empty where `own` says
     out_of_plane: float = 0.0
+    own: OwnLaw | None = None
+    plane_strain: bool = False  # of `own`: strains have their components out of the plane
 
 
 @dataclass(frozen=True)
@@ -55,7 +58,7 @@ class Material:
 class Heat:
     capacity: float | None
     conductivity: Matrix | None
-    source: Expression | None
+    source: Expression | OwnLaw | None
     thermal_stress: Matrix | None
     thermal_stress_zz: float
     strain_heating: Matrix | None
@@ -148,7 +151,7 @@ class Scene:
     material: Material | None
     heat: Heat | None
     regions: dict[str, tuple[Material | None, Heat | None]]  # those that differ from the two above
-    body_force: list[Expression] | None
+    body_force: list[Expression] | OwnLaw | None
     initial_displacement: list[Expression]
     initial_velocity: list[Expression]
     initial_temperature: Expression
@@ -176,9 +179,10 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
     space, solver, output = root.defaulted("space"), root.defaulted("solver"), root.defaulted("output")
     load = root.table("load")
     dimension, shape, file = _mesh(mesh, path)
-    material = _material(root.table("material"), dimension)
-    heat = _heat(root.table("heat"), material, dimension)
-    regions = _regions(root.defaulted("region"), material, heat, dimension)
+    files = _files(root.table("forms"), path)
+    material = _material(root.table("material"), dimension, files)
+    heat = _heat(root.table("heat"), material, dimension, files)
+    regions = _regions(root.defaulted("region"), material, heat, dimension, files)
     if material is None and heat is None:
         raise SceneError("a scene needs [material], [heat] or both")
     radius, coupling_tolerance = _scheme(time), _coupling(time)
@@ -188,7 +192,6 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         raise SceneError("initial.velocity needs material.density: a quasi-static scene has no inertia")
     sides = root.defaulted("boundary")
     end = time.take("end", positive)
-    files = _files(root.table("forms"), path)
     scene = Scene(
         dimension=dimension,
         shape=shape,
@@ -203,7 +206,7 @@ def read_scene(path: Path, settings: Sequence[str]) -> Scene:
         material=material,
         heat=heat,
         regions=regions,
-        body_force=load.optional("body_force", list_of(expression, dimension)) if load else None,
+        body_force=_body_force(load, dimension, files) if load else None,
         initial_displacement=initial.take("displacement", list_of(expression, dimension), dimension * [0.0]),
         initial_velocity=initial.take("velocity", list_of(expression, dimension), dimension * [0.0]),
         initial_temperature=initial.take("temperature", expression, 0.0),
@@ -231,6 +234,12 @@ def _files(table: Table | None, path: Path) -> OwnLaws:
     names = {kind: table.optional(kind, str) for kind in FUNCTIONS}
     table.close()
     return {kind: OwnLaw(kind, path.parent / name) for kind, name in names.items() if name is not None}
+
+
+def _body_force(load: Table, dimension: int, files: OwnLaws) -> list[Expression] | OwnLaw | None:
+    if "body_force" not in files:
+        return load.optional("body_force", list_of(expression, dimension))
+    return _own_table(load.table("body_force"), "body_force", files)
 
 
 def _mesh(mesh: Table, path: Path) -> tuple[int, Shape | None, Path | None]:
@@ -349,7 +358,7 @@ def _conductor(dimension: int) -> Callable[[Any], Matrix]:
 
 
 def _regions(
-    tables: Table, material: Material | None, heat: Heat | None, dimension: int
+    tables: Table, material: Material | None, heat: Heat | None, dimension: int, files: OwnLaws
 ) -> dict[str, tuple[Material | None, Heat | None]]:
     """Each region's laws: its own where it has some, else the scene's."""
     regions = {}
@@ -358,23 +367,23 @@ def _regions(
         assert table is not None
         own_material, own_heat = material, heat
         if (part := table.table("material")) is not None and material is not None:
-            own_material = _region_material(part, material, dimension)
+            own_material = _region_material(part, material, dimension, files)
         if (part := table.table("heat")) is not None and heat is not None:
-            own_heat = _region_heat(part, heat, material, dimension)
+            own_heat = _region_heat(part, heat, material, dimension, files)
         table.close()
         regions[name] = (own_material, own_heat)
     return regions
 
 
-def _region_material(table: Table, general: Material, dimension: int) -> Material:
+def _region_material(table: Table, general: Material, dimension: int, files: OwnLaws) -> Material:
     elasticity, viscosity = table.table("elasticity"), table.table("viscosity")
     plane = "strain" if general.plane_strain else "stress"
-    if elasticity is not None and "young" in elasticity and dimension == 2:
+    if elasticity is not None and ("young" in elasticity or "elasticity" in files) and dimension == 2:
         elasticity.left.setdefault("plane", plane)
     own = Material(
         table.optional("density", positive),
-        _elasticity(elasticity, dimension),
-        _viscosity(viscosity, general.plane_strain, dimension),
+        _elasticity(elasticity, dimension, files, general.elasticity),
+        _viscosity(viscosity, general.plane_strain, dimension, files, general.viscosity),
         general.plane_strain,
     )
     table.close()
@@ -386,14 +395,16 @@ def _region_material(table: Table, general: Material, dimension: int) -> Materia
     )
 
 
-def _region_heat(table: Table, general: Heat, material: Material | None, dimension: int) -> Heat:
-    own = _heat_laws(table, material, dimension)
+def _region_heat(
+    table: Table, general: Heat, material: Material | None, dimension: int, files: OwnLaws
+) -> Heat:
+    own = _heat_laws(table, material, dimension, files, general.source)
     zz = own.thermal_stress_zz if own.thermal_stress is not None else general.thermal_stress_zz
     given = {name: value for name, value in vars(own).items() if value is not None}
     return replace(general, **{**given, "thermal_stress_zz": zz})
 
 
-def _material(table: Table | None, dimension: int) -> Material | None:
+def _material(table: Table | None, dimension: int, files: OwnLaws) -> Material | None:
     if table is None:
         return None
     density = table.optional("density", positive)
@@ -404,15 +415,29 @@ def _material(table: Table | None, dimension: int) -> Material | None:
     plane_strain = bool(elasticity and elasticity.left.get("plane") == "strain")
     return Material(
         density,
-        _elasticity(elasticity, dimension),
-        _viscosity(viscosity, plane_strain, dimension),
+        _elasticity(elasticity, dimension, files),
+        _viscosity(viscosity, plane_strain, dimension, files),
         plane_strain,
     )
 
 
-def _elasticity(table: Table | None, dimension: int) -> Tensor4 | None:
+def _own_tensor(
+    table: Table, kind: str, files: OwnLaws, plane_strain: bool, general: Tensor4 | None
+) -> Tensor4:
+    before = general.own.numbers if general and general.own else {}
+    own = _own(table, kind, files, before)
+    table.close()
+    return Tensor4(np.empty(0), own=own, plane_strain=plane_strain)
+
+
+def _elasticity(
+    table: Table | None, dimension: int, files: OwnLaws, general: Tensor4 | None = None
+) -> Tensor4 | None:
     if table is None:
         return None
+    if "elasticity" in files:
+        plane = table.take("plane", one_of("stress", "strain"), "stress") if dimension == 2 else "none"
+        return _own_tensor(table, "elasticity", files, plane == "strain", general)
     tensor = table.optional("tensor", _voigt)
     if tensor is not None:
         table.close()
@@ -427,9 +452,13 @@ def _elasticity(table: Table | None, dimension: int) -> Tensor4 | None:
     return Tensor4(isotropic(lame, shear, dimension), lame)
 
 
-def _viscosity(table: Table | None, plane_strain: bool, dimension: int) -> Tensor4 | None:
+def _viscosity(
+    table: Table | None, plane_strain: bool, dimension: int, files: OwnLaws, general: Tensor4 | None = None
+) -> Tensor4 | None:
     if table is None:
         return None
+    if "viscosity" in files:
+        return _own_tensor(table, "viscosity", files, plane_strain, general)
     tensor = table.optional("tensor", _voigt)
     if tensor is not None:
         table.close()
@@ -439,10 +468,10 @@ def _viscosity(table: Table | None, plane_strain: bool, dimension: int) -> Tenso
     return Tensor4(isotropic(trace, shear, dimension), trace if plane_strain else 0.0)
 
 
-def _heat(table: Table | None, material: Material | None, dimension: int) -> Heat | None:
+def _heat(table: Table | None, material: Material | None, dimension: int, files: OwnLaws) -> Heat | None:
     if table is None:
         return None
-    heat = _heat_laws(table, material, dimension)
+    heat = _heat_laws(table, material, dimension, files)
     if heat.capacity is None and heat.conductivity is None:
         raise SceneError("heat needs capacity, conductivity or both")
     couplings = (heat.thermal_stress, heat.strain_heating, heat.strain_rate_heating)
@@ -451,7 +480,16 @@ def _heat(table: Table | None, material: Material | None, dimension: int) -> Hea
     return heat
 
 
-def _heat_laws(table: Table, material: Material | None, dimension: int) -> Heat:
+def _source(table: Table, files: OwnLaws, general: Any) -> Expression | OwnLaw | None:
+    if "source" not in files:
+        return table.optional("source", expression)
+    before = general.numbers if isinstance(general, OwnLaw) else {}
+    return _own_table(table.table("source"), "source", files, before)
+
+
+def _heat_laws(
+    table: Table, material: Material | None, dimension: int, files: OwnLaws, general: Any = None
+) -> Heat:
     conductor = _conductor(dimension)
     out_of_plane = (
         material and material.plane_strain and not isinstance(table.left.get("thermal_stress"), list)
@@ -460,7 +498,7 @@ def _heat_laws(table: Table, material: Material | None, dimension: int) -> Heat:
     heat = Heat(
         capacity=table.optional("capacity", positive),
         conductivity=table.optional("conductivity", conductor),
-        source=table.optional("source", expression),
+        source=_source(table, files, general),
         thermal_stress=thermal_stress,
         thermal_stress_zz=float(thermal_stress[0, 0]) if thermal_stress is not None and out_of_plane else 0.0,
         strain_heating=table.optional("strain_heating", conductor),
@@ -512,13 +550,25 @@ def _finite(value: float | None) -> float | None:
     return None if value is None or np.isinf(value) else value
 
 
-def _own(table: Table, kind: str, files: OwnLaws) -> OwnLaw | None:
-    """The law of a file with the numbers of this table; None: the built-in law."""
+def _own_table(
+    table: Table | None, kind: str, files: OwnLaws, before: Numbers | None = None
+) -> OwnLaw | None:
+    if table is None:
+        return None
+    own = _own(table, kind, files, before)
+    table.close()
+    return own
+
+
+def _own(table: Table, kind: str, files: OwnLaws, before: Numbers | None = None) -> OwnLaw | None:
+    """The law of a file with the numbers of this table, over those `before`; None: the built-in law."""
     law = files.get(kind)
     if law is None:
         return None
-    numbers = {}
+    numbers = dict(before or {})
     for declared in law.declarations():
+        if declared.key in numbers and declared.key not in table:
+            continue
         if declared.default is not None and declared.key not in table:
             numbers[declared.key] = float(declared.default)
             if np.isfinite(declared.default):

@@ -146,8 +146,8 @@ struct Spring {
 
 struct Boundary {
     std::vector<std::optional<Expression>>
-        displacement;                       ///< [d] m, empty component: free; size 0: not prescribed
-    std::vector<Expression> traction;       ///< [d] Pa; size 0: none
+        displacement;                  ///< [d] m, empty component: free; size 0: not prescribed
+    std::vector<Expression> traction;  ///< [d] Pa; size 0: none
     std::optional<Spring> spring;
     std::optional<Expression> temperature;  ///< K
     std::optional<Expression> heat_flux;    ///< W/m^2 into the body

@@ -81,7 +81,7 @@ ENTRIES = (
             Film(
                 "stick-slip.gif",
                 "stick-slip",
-                ("--field", "velocity", "--frames", "24", "--from", "0.8", "--until", "1.3"),
+                ("--field", "velocity", "--frames", "24", "--from", "0.3", "--until", "0.8"),
             ),
             Still("stick-slip.png", "spring-history", "spring-history.png", ("stick-slip",)),
         ),

@@ -68,7 +68,7 @@ bool correct_near(Study& study, const Option& option, double seconds) {
     const Pilot* anchor = study.bench->run(near->anchor);
     const Pilot* in_space = study.bench->run(near->in_space);
     const Pilot* in_time = study.bench->run(near->in_time);
-    learn_costs(study.models, study.bench->pilots(), study.bench->scene().dimension);
+    learn_costs(study.models, study.bench->pilots(), refined_axes(study.bench->scene()));
     if (anchor != nullptr && in_space != nullptr && near->in_space.scale != near->anchor.scale) {
         space_of(study.models, near->anchor).error.correct(ratios(study, *in_space, *anchor));
     }

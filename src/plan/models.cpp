@@ -25,25 +25,38 @@ LogCurve cost_curve(const std::vector<const Pilot*>& pilots, const std::function
     return {scales, values, std::clamp(LogCurve::last_slope(scales, values, least), least, most)};
 }
 
-void take_costs(SpaceModel& model, const std::vector<const Pilot*>& pilots, int dimension) {
-    const double d = dimension;
-    const auto curve = [&](const std::function<double(const Costs&)>& cost, double least, double most) {
-        return cost_curve(pilots, cost, least, most);
+/// What a cost grows with beyond the finest pilot: at least and at most as these powers of the scale.
+struct Growth {
+    double least, most;
+};
+
+/// By the axes that are refined, 1 to 3. A factor's entries grow as N, N log N and N^(4/3), its operations as
+/// N, N^(3/2) and N^2. Steps read the factor: small pilots have it in the caches, where a step grows less
+/// than with what is beyond (measured in the plane, from 3 to 90 thousand unknowns: by 1.8 to 2.0, then
+/// by 2.0 to 2.4; in space by 2.6, 3.5, 4.3).
+constexpr Growth growth_of_factor[] = {{1, 1.2}, {2, 3}, {3, 6}};
+constexpr Growth growth_of_step[] = {{1, 1.2}, {2.3, 2.4}, {3.5, 4}};
+
+void take_costs(SpaceModel& model, const std::vector<const Pilot*>& pilots, int axes) {
+    const double d = axes;
+    const auto curve = [&](const std::function<double(const Costs&)>& cost, const Growth& growth) {
+        return cost_curve(pilots, cost, growth.least, growth.most);
     };
-    // a factor's entries grow as N log N in the plane and N^(4/3) in space, its operations as N^(3/2) and N^2
-    model.setup = curve([](const Costs& c) { return c.setup; }, d, 1.2 * d);
-    model.factor =
-        curve([](const Costs& c) { return c.factor / c.factorisations; }, d, dimension == 2 ? 3 : 6);
-    // steps read the factor: small pilots have it in the caches, where a step grows less than with what is
-    // beyond (measured from 3 to 90 thousand unknowns: by 1.8 to 2.0, then by 2.0 to 2.4; box: 2.6, 3.5, 4.3)
-    model.step = curve([](const Costs& c) { return c.steps / c.attempts; }, dimension == 2 ? 2.3 : 3.5,
-                       dimension == 2 ? 2.4 : 4);
-    model.unknowns = curve([](const Costs& c) { return c.unknowns; }, d, d);
-    model.end = curve([](const Costs& c) { return c.end; }, d, dimension == 2 ? 2.4 : 4);
-    model.frame = curve([](const Costs& c) { return c.frame; }, d, d);
+    const Growth factor = growth_of_factor[axes - 1], step = growth_of_step[axes - 1];
+    model.setup = curve([](const Costs& c) { return c.setup; }, {d, 1.2 * d});
+    model.factor = curve([](const Costs& c) { return c.factor / c.factorisations; }, factor);
+    model.step = curve([](const Costs& c) { return c.steps / c.attempts; }, step);
+    model.unknowns = curve([](const Costs& c) { return c.unknowns; }, {d, d});
+    model.end = curve([](const Costs& c) { return c.end; }, step);
+    model.frame = curve([](const Costs& c) { return c.frame; }, {d, d});
 }
 
 }  // namespace
+
+int refined_axes(const scene::Scene& scene) {
+    const auto refined = std::ranges::count_if(scene.mesh.cells, [](int count) { return count > 1; });
+    return scene.mesh.file || refined == 0 ? scene.dimension : static_cast<int>(refined);
+}
 
 TimeModel time_model(const Stepping& stepping, const Climbed& climbed) {
     std::vector<double> knobs, attempts, factorisations, damped;
@@ -58,21 +71,21 @@ TimeModel time_model(const Stepping& stepping, const Climbed& climbed) {
             LogCurve(knobs, damped, 0)};
 }
 
-SpaceModel space_model(int dimension, const std::vector<const Pilot*>& pilots, ErrorCurve error) {
+SpaceModel space_model(int axes, const std::vector<const Pilot*>& pilots, ErrorCurve error) {
     const Discretisation& any = pilots.front()->discretisation;
     SpaceModel model{any.degree, any.grading, std::move(error), {}, {}, {}, {}, {}, {}};
-    take_costs(model, pilots, dimension);
+    take_costs(model, pilots, axes);
     return model;
 }
 
-void learn_costs(Models& models, const std::vector<const Pilot*>& pilots, int dimension) {
+void learn_costs(Models& models, const std::vector<const Pilot*>& pilots, int axes) {
     for (SpaceModel& model : models.spaces) {
         std::vector<const Pilot*> of_kind;
         std::ranges::copy_if(pilots, std::back_inserter(of_kind), [&](const Pilot* pilot) {
             return kind_of_mesh(pilot->discretisation) == kind_of_mesh(model.degree, model.grading);
         });
         if (!of_kind.empty()) {
-            take_costs(model, of_kind, dimension);
+            take_costs(model, of_kind, axes);
         }
     }
 }

@@ -76,7 +76,7 @@ class Meshes {
                        : std::nullopt;
         };
         const auto knob = [](const Discretisation& choice) { return 1.0 / choice.scale; };
-        const int d = study_->bench->scene().dimension;
+        const int d = refined_axes(study_->bench->scene());
         const double growth = std::pow(2.0, 1.2 * d);
         const double seconds = std::min(allowance_, seconds_for_pilots(*study_) / 4);
         const Climb how{level, knob, highest_orders(*study_, degree), growth, study_->goal, seconds};
@@ -96,7 +96,7 @@ class Meshes {
         const Discretisation only{study_->bench->scene().degree, 1, clock_.stepping, clock_.steps,
                                   clock_.tolerance};
         if (const Pilot* pilot = study_->bench->run(only)) {
-            study_->models.spaces.push_back(space_model(study_->bench->scene().dimension, {pilot},
+            study_->models.spaces.push_back(space_model(refined_axes(study_->bench->scene()), {pilot},
                                                         ErrorCurve(study_->comparison.components().size())));
         }
     }

@@ -47,6 +47,7 @@ TEST(SpaceModel, GrowsAsFactorsDo) {
     const Pilot coarse = pilot(1, 8, 1e-3), level = pilot(2, 8, 1e-3), steep = pilot(2, 8, 1);
     EXPECT_NEAR(space_model(2, {&coarse, &level}, ErrorCurve(1)).step.at(4), 1e-3 * std::pow(2, 2.3), 1e-15);
     EXPECT_NEAR(space_model(3, {&coarse, &level}, ErrorCurve(1)).step.at(4), 1e-3 * std::pow(2, 3.5), 1e-15);
+    EXPECT_NEAR(space_model(1, {&coarse, &level}, ErrorCurve(1)).step.at(4), 2e-3, 1e-15);  // a bar
     EXPECT_NEAR(space_model(2, {&coarse, &steep}, ErrorCurve(1)).step.at(4), std::pow(2, 2.4), 1e-12);
     EXPECT_NEAR(space_model(3, {&coarse, &steep}, ErrorCurve(1)).step.at(4), 16, 1e-12);
 }
@@ -81,6 +82,14 @@ TEST(TimeModel, HasAsManyStepsAsItsKnobSays) {
     const TimeModel adaptive = time_model({"bdf2", true}, {{&loose, &tight}, ErrorCurve(1)});
     EXPECT_NEAR(adaptive.attempts.at(1e-4), 80, 1e-9);
     EXPECT_NEAR(adaptive.factorisations.at(1e-4), 2, 1e-12);
+}
+
+TEST(SpaceModel, GrowsAlongAxesWithCells) {
+    const auto axes = [](const std::string& name) { return refined_axes(bench_of(name).scene()); };
+    EXPECT_EQ(axes("paper"), 2);
+    EXPECT_EQ(axes("box"), 3);
+    EXPECT_EQ(axes("benchmarks/rod-impact"), 1);
+    EXPECT_EQ(axes("press-fit"), 2);  // of a file
 }
 
 /// Models that are wrong by a factor are put right by pilots near the choice.

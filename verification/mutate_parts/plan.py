@@ -126,8 +126,8 @@ MUTATIONS = (
     Mutation(
         "plan-steps-beyond-caches",
         "src/plan/models.cpp",
-        "dimension == 2 ? 2.3 : 3.5,",
-        "d,",
+        "growth_of_step[] = {{1, 1.2}, {2.3, 2.4}",
+        "growth_of_step[] = {{1, 1.2}, {2, 2.4}",
         "factor",
         "a factor that small pilots have in the caches is read from memory in a run",
     ),

@@ -135,7 +135,7 @@ class PriceTest(unittest.TestCase):
         points = [point(1e-2, seconds, value=value) for seconds, value in ((3.0, 2.0), (4.0, 1.0))]
         (found,) = prices(points, {"mesh": ways}, {})
         self.assertEqual((found.factor, found.seconds), (None, (4.0, 3.0)))
-        self.assertIn("single takes 0.75 of the time of double", price_line(found, ways))
+        self.assertIn("single takes 0.75 times the time of double", price_line(found, ways))
         self.assertEqual(prices(points[:1], {"mesh": ways}, {}), [])
 
 

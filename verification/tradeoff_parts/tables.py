@@ -108,7 +108,7 @@ def write_prices(study: Study, path: Path) -> None:
 
 def exchanged(found: Price, ways: Sequence[str]) -> str:
     """What the second way takes, of the first one's time."""
-    return f"{ways[1]} takes {found.seconds[1] / found.seconds[0]:.2g} of the time of {ways[0]}"
+    return f"{ways[1]} takes {found.seconds[1] / found.seconds[0]:.2g} times the time of {ways[0]}"
 
 
 def price_line(found: Price, knob: Knob) -> str:

@@ -16,7 +16,13 @@ class Situation:
 
 
 def situations() -> Iterator[Situation]:
-    for name, changes in (*_TIME.items(), *_MESH.items(), *_CONTACT.items(), *_COUPLED.items(), *_LOADS.items()):
+    for name, changes in (
+        *_TIME.items(),
+        *_MESH.items(),
+        *_CONTACT.items(),
+        *_COUPLED.items(),
+        *_LOADS.items(),
+    ):
         yield Situation(name, changed(BASE, changes))
     for name, changes in _SINGULAR.items():
         yield Situation(name, changed(BASE, changes), singular=True)

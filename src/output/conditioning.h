@@ -26,8 +26,8 @@ nlohmann::ordered_json to_json(const std::vector<BalanceCondition>& conditions);
 /// What to warn of: a balance with fewer than six digits; empty where there is none.
 std::string warning(const std::vector<BalanceCondition>& conditions);
 
-/// Also of balances that some step kept only to more than 1e-8 of their terms: with the default tolerance such
-/// a step is not accepted (march/audit_limit.h), a looser one may let it pass.
+/// Also of balances that some step kept only to more than 1e-8 of their terms: with the default tolerance
+/// such a step is not accepted (march/audit_limit.h), a looser one may let it pass.
 std::string warning(const std::vector<BalanceCondition>& conditions, const march::Totals& totals);
 
 }  // namespace thermocontact::output

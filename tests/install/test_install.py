@@ -78,7 +78,15 @@ class Installed(unittest.TestCase):
         krylov = ["--set", 'solver.strategy="newton-krylov"']
         for name, words in (("alone", list[str]()), ("petsc", krylov)):
             results = Path(self.folder.name) / name
-            command = ["run", str(self.scene("paper")), *settings, *words, "--quiet", "--output", str(results)]
+            command = [
+                "run",
+                str(self.scene("paper")),
+                *settings,
+                *words,
+                "--quiet",
+                "--output",
+                str(results),
+            ]
             done = run(self.prefix / "bin/thermocontact", *command)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertTrue((results / "summary.json").exists())

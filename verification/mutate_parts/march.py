@@ -29,7 +29,7 @@ MUTATIONS = (
     ),
     Mutation(
         "spring-no-reaction",
-        "src/march/momentum.cpp",
+        "src/march/momentum_balances.cpp",
         "reaction_[i] += springs_.empty() ? 0.0 : spring_[i];",
         "",
         "missing",

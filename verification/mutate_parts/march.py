@@ -492,14 +492,6 @@ MUTATIONS = (
         "a step whose balance is not kept is not accepted",
     ),
     Mutation(
-        "audit-heat-at-rest",
-        "src/march/heat_balance.cpp",
-        "worth_of_round_off(as_eigen(std::as_const(new_stored_)).lpNorm<1>() / rule_.tau)",
-        "worth_of_round_off(as_eigen(std::as_const(new_stored_)).lpNorm<1>())",
-        "factor",
-        "heat that flows no more is no failure",
-    ),
-    Mutation(
         "audit-parts-scale",
         "src/march/momentum_audit.cpp",
         "    energy_scale += scale_of_energy;\n",

@@ -146,6 +146,7 @@ Schema schema_of(const std::map<std::string, Description>& laws, const std::vect
         }
         if (is_own) {
             own_tables.push_back(place.table);
+            tables.push_back(place.table.substr(0, place.table.rfind('.')));  // a law may have no parameters
             if (place.table.starts_with("material.") || place.table.starts_with("heat.")) {
                 tables.push_back("region.NAME." + place.table);
             }

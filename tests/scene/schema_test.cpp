@@ -76,6 +76,12 @@ Values scene_with(const Key& key) {
     put_in(values, key.name);
     if (name.starts_with("forms.")) {  // a law that nothing is made of is refused
         put_in(values, table_of_law(key.leaf()));
+        if (is_key_otherwise(key.leaf())) {  // whose place the parameters take
+            take_out(values, table_of_law(key.leaf()));
+            for (const laws::Parameter& parameter : laws::built_in_law(key.leaf()).description.parameters) {
+                values[table_of_law(key.leaf()) + "." + parameter.key] = std::to_string(parameter.example);
+            }
+        }
     }
     const bool of_contact = name.find(".contact.") != std::string::npos;
     if (of_contact && !values.contains("boundary.left.contact.conductance.onset")) {

@@ -1,10 +1,12 @@
 """How fast the driver is: against the oracle as whole processes, as n grows, and against the memory's bandwidth.
 
     python3 verification/benchmark.py [--sizes 16 32 64 128 256] [--oracle-sizes 64 128] [--repeat 3]
+                                      [--threads 1] [--set KEY=VALUE]
                                       [--driver build/thermocontact] [--output DIR]
     python3 verification/benchmark.py --study ladder | scaling | multigrid [--largest CELLS] [--processes 1 2]
 
-The problem is scenes/paper-isotropic.toml with theta_F = 10, n cells a side, n steps, no field output, one thread.
+The problem is scenes/paper-isotropic.toml with theta_F = 10, n cells a side, n steps, no field output, one thread
+(the driver, and the reading of the memory, by --threads). --set is the driver's.
 Driver and oracle run in turn, each several times, after one run of both that is not counted and fills the oracle's
 cache of compiled forms. At the largest size the memory's read bandwidth is measured between the runs, on an array
 of the size of the two Cholesky factors, part of which may stay in the cache, and on one of 256 MiB; reading both
@@ -35,7 +37,9 @@ def progress(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def against_oracle(driver: Sequence[str], sizes: Sequence[int], repeat: int) -> list[dict[str, Any]]:
+def against_oracle(
+    driver: Sequence[str], sizes: Sequence[int], repeat: int, threads: int
+) -> list[dict[str, Any]]:
     """Whole processes, in turn."""
     oracle = process.oracle_command()
     if sizes:
@@ -48,7 +52,7 @@ def against_oracle(driver: Sequence[str], sizes: Sequence[int], repeat: int) -> 
         theirs: list[Run] = []
         for turn in range(repeat):
             progress(f"n = {n}, turn {turn + 1} of {repeat}: driver and oracle")
-            ours.append(process.run(driver, n))
+            ours.append(process.run(driver, n, threads))
             theirs.append(process.run(oracle, n))
         results.append(compared(n, ours, theirs))
     return results
@@ -70,7 +74,7 @@ def compared(n: int, ours: Sequence[Run], theirs: Sequence[Run]) -> dict[str, An
 
 
 def growth(
-    driver: Sequence[str], sizes: Sequence[int], repeat: int
+    driver: Sequence[str], sizes: Sequence[int], repeat: int, threads: int
 ) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """Seconds per step at each size, and the largest size against the memory."""
     results: list[dict[str, Any]] = []
@@ -81,9 +85,10 @@ def growth(
             reads: list[tuple[float, float]] = []
             for turn in range(repeat):
                 progress(f"n = {n}, turn {turn + 1} of {repeat}: driver")
-                runs.append(process.run(driver, n))
+                runs.append(process.run(driver, n, threads))
                 if n == max(sizes):
-                    reads.append((timer.seconds(factor_entries(runs[-1])), timer.seconds(LARGE)))
+                    entries = factor_entries(runs[-1])
+                    reads.append((timer.seconds(entries, threads), timer.seconds(LARGE, threads)))
             results.append(size_result(n, runs))
             if n == max(sizes):
                 memory = against_memory(n, runs, reads)
@@ -127,12 +132,15 @@ def against_memory(n: int, runs: Sequence[Run], reads: Sequence[tuple[float, flo
 
 def measure(options: argparse.Namespace) -> dict[str, Any]:
     driver = process.driver_command(options.driver)
-    comparison = against_oracle(driver, options.oracle_sizes, options.repeat)
-    sizes, memory = growth(driver, sorted(options.sizes), options.repeat)
+    for setting in options.set:
+        driver += ["--set", setting]
+    comparison = against_oracle(driver, options.oracle_sizes, options.repeat, options.threads)
+    sizes, memory = growth(driver, sorted(options.sizes), options.repeat, options.threads)
     fitted = exponent({size["n"]: size["step_seconds"]["median"] for size in sizes})
     return {
         "machine": report.machine(),
         "repeat": options.repeat,
+        "threads": options.threads,
         "against_oracle": comparison,
         "growth": sizes,
         "step_seconds_exponent": fitted,
@@ -161,6 +169,8 @@ def parse(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--sizes", type=positive, nargs="+", default=[16, 32, 64, 128, 256], metavar="N")
     parser.add_argument("--oracle-sizes", type=positive, nargs="*", default=[64, 128], metavar="N")
     parser.add_argument("--repeat", type=positive, default=3)
+    parser.add_argument("--threads", type=positive, default=1, help="of the driver, and to read the memory")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="for the driver")
     parser.add_argument("--driver", type=Path, default=process.ROOT / "build" / "thermocontact")
     parser.add_argument("--output", type=Path, metavar="DIR", help="where benchmark.json goes")
     parser.add_argument("--study", choices=("speed", "ladder", "scaling", "multigrid"), default="speed")

@@ -8,7 +8,7 @@ from types import TracebackType
 from benchmarking.process import RunFailed
 
 SOURCE = Path(__file__).with_name("read_bandwidth.c")
-COMPILER = ("gcc", "-O3", "-march=native", "-ffast-math")
+COMPILER = ("gcc", "-O3", "-march=native", "-ffast-math", "-pthread")
 REPETITIONS = 15
 LARGE = 256 * 2**20 // 8  # doubles: far more than any cache
 
@@ -27,9 +27,10 @@ class ReadTimer:
     ) -> None:
         self.folder.cleanup()
 
-    def seconds(self, count: int) -> float:
-        """To read that many doubles once; the best of several passes."""
-        return float(self._run([str(self.program), str(count), str(REPETITIONS)]).split()[0])
+    def seconds(self, count: int, threads: int) -> float:
+        """To read that many doubles once, by that many threads; the best of several passes."""
+        words = [str(self.program), str(count), str(REPETITIONS), str(threads)]
+        return float(self._run(words).split()[0])
 
     @staticmethod
     def _run(command: list[str]) -> str:

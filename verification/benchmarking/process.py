@@ -54,7 +54,7 @@ def oracle_command() -> list[str]:
     return [sys.executable, str(ORACLE)]
 
 
-def run(program: Sequence[str], n: int) -> Run:
+def run(program: Sequence[str], n: int, threads: int = 1) -> Run:
     """n cells a side, n steps, no field output."""
     settings = {
         "mesh.cells": f"[{n},{n}]",
@@ -66,17 +66,18 @@ def run(program: Sequence[str], n: int) -> Run:
         command = [*program, str(SCENE), "--output", folder, "--quiet"]
         for key, value in settings.items():
             command += ["--set", f"{key}={value}"]
-        wall_seconds, peak_memory_mib = timed(command)
+        wall_seconds, peak_memory_mib = timed(command, threads)
         summary = json.loads((Path(folder) / "summary.json").read_text(encoding="utf-8"))
     return Run(wall_seconds, peak_memory_mib, summary)
 
 
-def timed(command: Sequence[str]) -> tuple[float, float]:
+def timed(command: Sequence[str], threads: int = 1) -> tuple[float, float]:
     """Wall seconds and peak memory in MiB as the system saw them."""
+    environment = {**os.environ, **ENVIRONMENT, "OMP_NUM_THREADS": str(threads)}
     with tempfile.TemporaryFile() as messages:
         begin = time.perf_counter()
         process = subprocess.Popen(
-            command, stdout=subprocess.DEVNULL, stderr=messages, env={**os.environ, **ENVIRONMENT}
+            command, stdout=subprocess.DEVNULL, stderr=messages, env=environment
         )
         _, status, usage = os.wait4(process.pid, 0)
         wall_seconds = time.perf_counter() - begin

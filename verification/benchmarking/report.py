@@ -30,7 +30,7 @@ def text(results: Mapping[str, Any]) -> str:
     machine = results["machine"]
     lines = [
         f"{machine['processor']}, {machine['cores']} cores, load {machine['load_at_end']:.1f}; "
-        f"medians of {results['repeat']} (least-most)",
+        f"medians of {results['repeat']} (least-most); threads {results['threads']}",
         *oracle_lines(results),
         *growth_lines(results),
         *memory_lines(results["against_memory"]),

@@ -37,6 +37,7 @@ import numpy as np
 from mpi4py import MPI
 from petsc4py import PETSc
 
+from oracle_parts import vtu
 from oracle_parts.balances import HeatBalance, Momentum
 from oracle_parts.body_laws import measure, stress
 from oracle_parts.course import Parts, equal_steps, followed_steps
@@ -139,7 +140,8 @@ class March:
 
     def __init__(self, problem: Problem, directory: Path, watch: Stopwatch, follow: Path | None) -> None:
         self.directory, self.watch, self.follow = directory, watch, follow
-        self.base, self.datasets = problem.body, []
+        self.base = problem.body
+        self.datasets: list[vtu.DataSet] = []
         self.mesh = read_mesh(follow, 0) if problem.scene.adapts_mesh else None
         self.solver_seconds = 0.0
         self._settle(problem)

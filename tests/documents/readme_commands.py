@@ -109,6 +109,9 @@ COMMANDS = (
         test="mutation.run",
     ),
     Command(
+        "ctest --test-dir build -C Long -R versions", instead="ctest --test-dir build -C Long -R versions -N"
+    ),
+    Command(
         "ctest --test-dir build -C Mutation -R mutation.run",
         instead="ctest --test-dir build -C Mutation -R mutation.run -N",
     ),

@@ -93,6 +93,7 @@ void MomentumAudit::add(double step, const Energies& of_step, const MomentumSums
     }
     sums.foundation_power = before * sums.foundation_power + now * of_forces.foundation_power;
     sums.momentum_rate = before * sums.momentum_rate + now * of_forces.momentum_rate;
+    sums.spring_parts = before * sums.spring_parts + now * of_forces.spring_parts;
     duration += step;
 }
 
@@ -126,7 +127,8 @@ Audit audit_forces(const MomentumSums& sums, int components) {
     // summed, but a node's balance is solved beside them
     audit.scale = sums.inertia.magnitude + sums.compliance.magnitude + sums.friction.magnitude +
                   sums.load.magnitude + sums.reaction.magnitude + sums.spring.magnitude +
-                  worth_of_round_off(sums.momentum_rate + sums.viscous.magnitude + sums.thermal.magnitude);
+                  worth_of_round_off(sums.momentum_rate + sums.viscous.magnitude + sums.thermal.magnitude +
+                                     sums.spring_parts);
     for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
         const std::string axis(1, "xyz"[c]);
         const double inertia = sums.inertia.resultant[c], load = sums.load.resultant[c],

@@ -28,6 +28,7 @@ struct MomentumSums {
     ForceSums inertia, viscous, thermal, compliance, friction, load, reaction, spring;
     double foundation_power = 0;  ///< of sigma_t with v_F, W: what moving foundations do on the body
     double momentum_rate = 0;     ///< sum of |M w|/tau over all nodes and components, N
+    double spring_parts = 0;      ///< sum of |K_s u| over them, N (model/springs.h)
 };
 
 /// Sums of all forces in one pass over the nodes; velocity [nodes][components].

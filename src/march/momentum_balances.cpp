@@ -90,6 +90,7 @@ Energies Momentum::energies(const State& old) const {
     sums.spring = work.now;
     sums.spring_numerical = work.numerical;
     sums.anchors = work.of_anchors;
+    sums.stored += springs_.parts(new_displacement_).energy;
     return team_->summed(sums);
 }
 
@@ -106,6 +107,7 @@ void Momentum::examine(const State& state, double limit) {
         sums.foundation_power = balance_->contact().power_of_foundations();
         sums.momentum_rate = as_eigen(std::as_const(now_.mass_w)).lpNorm<1>() / rule_.tau;
         step_energies_ = energies(state);
+        sums.spring_parts = springs_.parts(stage_displacement_).force;
         step_sums_ = team_->summed(sums);
     });
     const Audit energy = audit_energy(step_energies_, step_sums_, rule_.step);

@@ -154,6 +154,16 @@ Springs::Work Springs::work(const Motion& motion) const {
     return sum;
 }
 
+Springs::Parts Springs::parts(const std::vector<double>& u) const {
+    Parts sum;
+    for (const Side& side : sides_) {
+        const Eigen::VectorXd here = at(side, u), force = side.stiffness * here;
+        sum.force += force.lpNorm<1>();
+        sum.energy += here.cwiseAbs().dot(force.cwiseAbs());
+    }
+    return sum;
+}
+
 double Springs::energy(const std::vector<double>& u, double t) const {
     double sum = 0;
     for (const Side& side : sides_) {

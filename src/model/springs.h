@@ -54,6 +54,13 @@ class Springs {
     /// e . K_s e/2 of a state at time t, J; this process's part. Throws as above.
     double energy(const std::vector<double>& u, double t) const;
 
+    /// Sums of |K_s u| (N) and |u| |K_s u| (J) over the dofs: the springs' forces are differences of K_s u
+    /// and K_s u_s, whose last bits are worth something where a body has moved far; this process's part.
+    struct Parts {
+        double force = 0, energy = 0;
+    };
+    Parts parts(const std::vector<double>& u) const;
+
     /// Calls visit(dofs, tensor [dofs][dofs]) with the stiffness of each facet of this process, N/m.
     using Piece = std::function<void(std::span<const std::int32_t> dofs, std::span<const double> tensor)>;
     void visit_stiffness(const Piece& visit) const;

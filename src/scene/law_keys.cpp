@@ -1,6 +1,8 @@
 #include "scene/law_keys.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <map>
 
 #include "error.h"
@@ -38,8 +40,17 @@ const Place& place_of(const std::string& kind) {
     return std::ranges::find(places(), kind, &std::pair<std::string, Place>::first)->second;
 }
 
+/// As people write it: 2.1e11.
 std::string json_text(double value) {
-    return nlohmann::json(value).dump();
+    std::string text = nlohmann::json(value).dump();
+    if (std::abs(value) >= 1e6 && std::isfinite(value)) {
+        text.resize(32);
+        text.resize(static_cast<std::size_t>(
+            std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific).ptr -
+            text.data()));
+        std::erase(text, '+');
+    }
+    return text;
 }
 
 /// `instead` of the built-in law only.

@@ -160,10 +160,9 @@ TEST(CommandLine, MistakesInArguments) {
     EXPECT_EQ(message({"check", ""}), "check: no scene file given; usage: thermocontact check SCENE.toml");
     EXPECT_EQ(message({"run", "a.toml", "b.toml"}), "run: unexpected argument \"b.toml\"");
     EXPECT_EQ(message({"run", "a.toml", "check"}), "run: unexpected argument \"check\"");
-    EXPECT_EQ(
-        message({"forms", "frction"}),
-        "forms: expected \"compliance\", \"friction\" or \"conductance\", found \"frction\"; did you mean "
-        "\"friction\"?");
+    EXPECT_EQ(message({"forms", "frction"}),
+              "forms: expected \"elasticity\", \"viscosity\", \"source\", \"body_force\", \"compliance\", "
+              "\"friction\" or \"conductance\", found \"frction\"; did you mean \"friction\"?");
     EXPECT_EQ(message({"schema", "json"}), "schema: unexpected argument \"json\"");
 }
 

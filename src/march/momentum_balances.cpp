@@ -16,17 +16,6 @@ double twice_dissipated(const StepRule& rule, double motion, double stage, doubl
            2 * stage * ((1 / lambda - 1) * force - carried / (lambda * rule.alpha));
 }
 
-std::vector<double> mean_of(const std::vector<double>& v, std::size_t components) {
-    std::vector<double> mean(components, 0.0);
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        mean[i % components] += v[i];
-    }
-    for (double& value : mean) {
-        value *= static_cast<double>(components) / static_cast<double>(v.size());
-    }
-    return mean;
-}
-
 }  // namespace
 
 MomentumForces Momentum::collect_forces() {
@@ -54,14 +43,12 @@ MomentumForces Momentum::collect_forces() {
             view(friction_), view(*load_),   view(reaction_), view(spring_)};
 }
 
-/// Displacements are taken less their mean, as K u is: that has no energy, but times the sum of K u, which is
-/// round-off, it may be more than all there is in a stiff body far from where it was meshed.
+/// Displacements are taken less that of the first node: a shift has no energy, but times the sum of K u,
+/// which is round-off, it may be more than all there is in a stiff body far from where it was meshed.
 Energies Momentum::energies(const State& old) const {
     Energies sums;  // at shared nodes each process holds a part of M w and K u, so that the sums add up
     const Products& base = this->base();
     const auto d = static_cast<std::size_t>(dimension_);
-    const std::vector<double> old_mean = mean_of(old.displacement, d), mean = mean_of(new_displacement_, d),
-                              stage_mean = mean_of(stage_displacement_, d);
     for (std::size_t i = 0, c = 0; i < stage_velocity_.size(); ++i, c = c + 1 < d ? c + 1 : 0) {
         const double mass_change = now_.mass_w[i] - old_.mass_w[i],
                      stiffness_change = now_.stiffness_u[i] - old_.stiffness_u[i];
@@ -71,11 +58,11 @@ Energies Momentum::energies(const State& old) const {
         sums.kinetic_numerical +=
             twice_dissipated(rule_, new_velocity_[i] - old.velocity[i], stage_velocity_[i], mass_change,
                              base.mass_w[i] - old_.mass_w[i]);
-        sums.strain_old += (old.displacement[i] - old_mean[c]) * old_.stiffness_u[i];
-        sums.strain += (new_displacement_[i] - mean[c]) * now_.stiffness_u[i];
+        sums.strain_old += (old.displacement[i] - old.displacement[c]) * old_.stiffness_u[i];
+        sums.strain += (new_displacement_[i] - new_displacement_[c]) * now_.stiffness_u[i];
         sums.stored += std::abs(new_displacement_[i] * now_.stiffness_u[i]);
         sums.strain_numerical +=
-            twice_dissipated(rule_, motion, stage_displacement_[i] - stage_mean[c], stiffness_change,
+            twice_dissipated(rule_, motion, stage_displacement_[i] - stage_displacement_[c], stiffness_change,
                              base.stiffness_u[i] - old_.stiffness_u[i]);
     }
     for (double Energies::*sum : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical,

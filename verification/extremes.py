@@ -100,7 +100,8 @@ def study(options: argparse.Namespace, folder: Path) -> int:
     solvable = [row for row in rows if not row.case.singular]
     completed = sum(row.verdict.outcome == COMPLETED for row in solvable)
     bad = sum(row.verdict.outcome == BAD for row in rows)
-    return 1 if bad or completed < ENOUGH * len(solvable) else 0
+    enough = 0 if options.mended else ENOUGH  # some of these are to stop, with the right reason
+    return 1 if bad or completed < enough * len(solvable) else 0
 
 
 def main() -> int:

@@ -22,8 +22,7 @@ constexpr double stiffening = 100;
 /// what the last one did, gamma grows, to `stiffest` times its first value at most.
 constexpr int soft_updates = 2;
 constexpr double slow = 0.1, growth = 10, stiffest = 1e4;
-constexpr double roundings = 10;  ///< a slip is a sum over the nodes of a facet, each rounded
-constexpr double falling = 0.5;   ///< of the change before: an update that does some good leaves less
+constexpr double falling = 0.5;  ///< of the change before: an update that does some good leaves less
 
 SolveReport report_of(const solve::NewtonResult& result) {
     SolveReport report{.iterations = result.iterations};
@@ -204,8 +203,7 @@ SolveReport Balance::solve_contact(Eigen::VectorXd& x) {
         const double before = change;
         const MultiplierChange now = update_multipliers(x);
         change = now.change;
-        if (change <= std::max(options_.tolerance, roundings * now.rounding) ||
-            (!moved && change > falling * before)) {
+        if (change <= std::max(options_.tolerance, now.rounding) || (!moved && change > falling * before)) {
             return report;
         }
         if (update >= soft_updates && change > slow * before && stiffness < most) {

@@ -25,9 +25,17 @@ from mutate_parts.workspace import ROOT, CannotCheck, Workspace, call, last_line
 
 FOLDERS = ("cmake", "docs", "examples", "forms", "scenes", "src", "verification/manufactured_parts")
 SWITCHES = ("-DTHERMOCONTACT_TESTS=OFF", "-DKERNEL_CELLS=triangle", "-DTHERMOCONTACT_MANUFACTURED=ON")
-HELPERS = {"space", "generate", "law", "in_force", "describe"}  # files in forms/ that hold no form
-# It decides which mesh is made, and the oracle follows: refinement.py and the closed forms in C++ judge it.
-JUDGED_ELSEWHERE = {"estimate"}
+HELPERS = {
+    "space",
+    "generate",
+    "law",
+    "in_force",
+    "describe",
+    "describe_body",
+}  # files in forms/ that hold no form
+# The one decides which mesh is made, and the oracle follows: refinement.py and the closed forms in C++ judge it. The
+# other is compiled for scenes with laws of the body in files: tests/test_body_law_files.py compares it with what is built in.
+JUDGED_ELSEWHERE = {"estimate", "at_points"}
 SMALL = ["--set", "mesh.cells=[8,8]", "--set", "time.steps=4"]
 USUAL_SCENE = ("paper-isotropic",)  # and what is set in it
 EXACT_FRICTION = (*USUAL_SCENE, "--set", "boundary.bottom.contact.friction.regularisation=0")

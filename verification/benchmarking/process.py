@@ -76,9 +76,7 @@ def timed(command: Sequence[str], threads: int = 1) -> tuple[float, float]:
     environment = {**os.environ, **ENVIRONMENT, "OMP_NUM_THREADS": str(threads)}
     with tempfile.TemporaryFile() as messages:
         begin = time.perf_counter()
-        process = subprocess.Popen(
-            command, stdout=subprocess.DEVNULL, stderr=messages, env=environment
-        )
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=messages, env=environment)
         _, status, usage = os.wait4(process.pid, 0)
         wall_seconds = time.perf_counter() - begin
         process.returncode = os.waitstatus_to_exitcode(status)

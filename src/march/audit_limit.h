@@ -7,7 +7,7 @@
 /// the unknowns are worth in them, for no step is solved to less: a body at rest stores c theta and gives
 /// nothing away, and c theta/tau, whose difference is the only term that is not zero, is known to some
 /// epsilon of itself. A row of at most 243 terms leaves 16 epsilon at random, 64 are allowed
-/// (condensed_problem.cpp); with `least` the audit that is asked for, they count as 64 epsilon/least of what
+/// (condensed_problem.cpp); beside `least_audit`, which is asked for, they count as 64 epsilon/1e-8 of what
 /// is stored. Beside terms that are not 1e6 times smaller that changes nothing.
 #pragma once
 

@@ -40,7 +40,7 @@ struct Energies {
     double strain_old = 0, strain = 0, strain_numerical = 0;
     double spring_old = 0, spring = 0, spring_numerical = 0;
     double anchors = 0;  ///< work of those who move the springs' far ends (model/springs.h)
-    double stored = 0;   ///< sum of |u| |E eps(u)| over all nodes and components
+    double stored = 0;   ///< sum of |u| (|E eps(u)| + |K_s u|) over all nodes and components
 };
 
 /// Named terms, what their sum should not be, and the magnitude of what is summed (audit_limit.h).

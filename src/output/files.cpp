@@ -56,9 +56,9 @@ void write_whole(const std::filesystem::path& path, std::string_view content, Sy
     }
 }
 
-void make_folder(const std::filesystem::path& folder) {
+bool make_folder(const std::filesystem::path& folder) {
     std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
+    const bool made = std::filesystem::create_directories(folder, failure);
     if (failure) {
         throw SystemError("cannot make the output folder " + folder.string() + ": " + failure.message());
     }
@@ -83,6 +83,7 @@ void make_folder(const std::filesystem::path& folder) {
         errno = reason;
         refuse(folder);
     }
+    return made;
 }
 
 }  // namespace thermocontact::output

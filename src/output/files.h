@@ -12,8 +12,9 @@ enum class Sync { no, yes };
 /// Writes `content` beside `path` and renames it over. Throws SystemError naming the file and the reason.
 void write_whole(const std::filesystem::path& path, std::string_view content, Sync sync = Sync::no);
 
-/// Makes the folder and its parents. Throws SystemError if it, or a folder `fields` in it, cannot be written
-/// to, or the disk has no room for a file of 64 KiB: before anything goes that an earlier run left.
-void make_folder(const std::filesystem::path& folder);
+/// Makes the folder and its parents; whether there was none. Throws SystemError if it, or a folder `fields`
+/// in it, cannot be written to, or the disk has no room for a file of 64 KiB: before anything goes that an
+/// earlier run left.
+bool make_folder(const std::filesystem::path& folder);
 
 }  // namespace thermocontact::output

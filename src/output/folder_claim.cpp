@@ -18,16 +18,22 @@ FolderClaim::FolderClaim(std::filesystem::path folder, const parallel::Team& tea
     : folder_(std::move(folder)) {
     parallel::together(team, [&] {
         if (team.rank() == 0) {
-            make_folder(folder_);
+            made_ = make_folder(folder_);
             claim();
         }
     });
 }
 
 FolderClaim::FolderClaim(FolderClaim&& other) noexcept
-    : folder_(std::move(other.folder_)), file_(std::exchange(other.file_, -1)) {}
+    : folder_(std::move(other.folder_)),
+      file_(std::exchange(other.file_, -1)),
+      made_(std::exchange(other.made_, false)) {}
 
 FolderClaim::~FolderClaim() {
+    if (made_ && is_there()) {
+        std::error_code not_empty;
+        std::filesystem::remove(folder_, not_empty);
+    }
     if (file_ >= 0) {
         ::close(file_);
     }
@@ -43,14 +49,18 @@ void FolderClaim::claim() {
     }
 }
 
-void FolderClaim::require() const {
+bool FolderClaim::is_there() const {
     struct stat claimed {
     }, there{};
     if (file_ < 0 || ::fstat(file_, &claimed) != 0) {
-        return;
+        return true;
     }
-    if (::stat(folder_.c_str(), &there) != 0 || there.st_ino != claimed.st_ino ||
-        there.st_dev != claimed.st_dev) {
+    return ::stat(folder_.c_str(), &there) == 0 && there.st_ino == claimed.st_ino &&
+           there.st_dev == claimed.st_dev;
+}
+
+void FolderClaim::require() const {
+    if (!is_there()) {
         throw SystemError("the output folder " + folder_.string() +
                           " was removed or replaced during the run");
     }

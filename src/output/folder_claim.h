@@ -10,6 +10,7 @@ namespace thermocontact::output {
 class FolderClaim {
   public:
     /// Makes the folder and its parents, and claims it until the object or the process ends, however it ends.
+    /// What it made goes with it if nothing has been written there.
     /// Every process must call; the first one does it. Throws SystemError if the folder cannot be made or
     /// written to, or another run has claimed it (where the file system cannot tell: if it cannot be written
     /// to).
@@ -27,9 +28,11 @@ class FolderClaim {
 
   private:
     void claim();
+    bool is_there() const;
 
     std::filesystem::path folder_;
-    int file_ = -1;  ///< the open folder, on the first process
+    int file_ = -1;      ///< the open folder, on the first process
+    bool made_ = false;  ///< by this object, likewise
 };
 
 }  // namespace thermocontact::output

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "error.h"
 #include "support/thread_team.h"
@@ -30,6 +31,19 @@ TEST_F(Folder, IsMadeWithItsParents) {
     EXPECT_TRUE(fs::is_directory(folder / "a" / "b"));
     EXPECT_TRUE(fs::is_empty(folder / "a" / "b"));  // no file says that it is taken
     EXPECT_NO_THROW(claim.require());
+}
+
+TEST_F(Folder, GoesWhereItWasMadeAndNothingWritten) {
+    fs::create_directories(folder / "there before");
+    for (const char* name : {"there before", "made", "written to"}) {
+        const FolderClaim claim(folder / name, alone);
+        if (name == std::string_view("written to")) {
+            std::ofstream(folder / name / "history.csv") << "";
+        }
+    }
+    EXPECT_TRUE(fs::exists(folder / "there before"));
+    EXPECT_FALSE(fs::exists(folder / "made"));
+    EXPECT_TRUE(fs::exists(folder / "written to"));
 }
 
 TEST_F(Folder, CannotBeBelowAFile) {

@@ -14,16 +14,15 @@ constexpr double loosest_tolerance = 1e-4;  ///< that a message advises
 constexpr double least_share = 0.01;        ///< of rounding, for which contact is named and not the body
 constexpr double many_decades = 1e8;        ///< between contact and body: half of the digits there are
 
-std::string failure_text(const std::string& name, const solve::NewtonResult& first,
+std::string failure_text(const std::string& name, const std::string& width, const solve::NewtonResult& first,
                          const solve::ContinuationResult* ladder) {
     std::string text = name + " balance: Newton stopped after " + std::to_string(first.iterations) +
                        " iterations (" + solve::describe(first.end) + ", relative residual " +
                        short_text(first.residual) + ")";
     if (ladder != nullptr) {
-        text += std::string("; continuation in ") +
-                (name == "heat" ? "conductance.limit" : "friction.regularisation") + " stopped after " +
-                std::to_string(ladder->rungs) + " solves (" + solve::describe(ladder->newton.end) +
-                ", relative residual " + short_text(ladder->newton.residual) + ")";
+        text += "; continuation in " + width + " stopped after " + std::to_string(ladder->rungs) +
+                " solves (" + solve::describe(ladder->newton.end) + ", relative residual " +
+                short_text(ladder->newton.residual) + ")";
     }
     return text;
 }
@@ -93,7 +92,7 @@ std::string Balance::why_not(const Eigen::VectorXd& x, const solve::NewtonResult
     const double round_off =
         ladder != nullptr ? std::max(first.round_off, ladder->newton.round_off) : first.round_off;
     problem().evaluate_at(x, contact_);
-    std::string text = failure_text(name_, first, ladder);
+    std::string text = failure_text(name_, contact_.regularisation_key(), first, ladder);
     text += round_off > options_.tolerance ? what_rounds(x, round_off)
                                            : what_outweighs(name_, contact_, systems_.front()->matrix,
                                                             contact_dofs(), strategy_->team());

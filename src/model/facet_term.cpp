@@ -27,7 +27,7 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
             fem::kernel_in_force(file + name, mesh.cell, space_->element.degree, surface.kernels), mesh,
             constants, taken, surface.rule);
     };
-    std::string regularised_by;
+    std::string regularised_by, width_key = "regularisation";
     double regularisation = 0;
     if (law == "friction" && multiplier == nullptr) {
         regularised_by = "eps";
@@ -36,13 +36,14 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
         const scene::Law& of_law = surface.laws.conductance->law;
         if (!of_law.width.empty() && std::isfinite(of_law.constants.at(of_law.width))) {
             regularised_by = of_law.width;
+            width_key = of_law.width_key;
             regularisation = of_law.constants.at(of_law.width);
         }
     }
     const bool moves = !surface.laws.foundation_velocity.empty();
     const auto datum = fields.find(law == "compliance" ? "u_old" : law == "conductance" ? "theta_F" : "");
     laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"), multiplier, nullptr, nullptr,
-                     std::move(regularised_by), regularisation,
+                     std::move(regularised_by), std::move(width_key), regularisation,
                      datum != fields.end() ? datum->second.values : nullptr,
                      law == "friction" && moves ? &surface.foundation_velocity : nullptr});
     if (multiplier != nullptr) {
@@ -158,6 +159,11 @@ double FacetTerm::smallest_regularisation() const {
         }
     }
     return smallest;
+}
+
+std::string FacetTerm::regularisation_key() const {
+    const auto law = std::ranges::find_if(laws_, [](const Law& some) { return some.regularisation > 0; });
+    return law == laws_.end() ? "" : law->name + "." + law->width_key;
 }
 
 double FacetTerm::largest_foundation() const {

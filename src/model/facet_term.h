@@ -57,6 +57,10 @@ class FacetTerm : public solve::NonlinearTerm {
     /// The smallest regularisation of all laws; 0 where none has one.
     double smallest_regularisation() const;
 
+    /// What a scene calls the regularisation that is raised, below its contact: "friction.regularisation",
+    /// "conductance.limit"; empty where no law has one.
+    std::string regularisation_key() const;
+
     /// What a regularisation must exceed, beside the unknown itself, for the laws to be linear: the largest
     /// theta_F (K), in momentum the largest component of v_F (m/s).
     double largest_foundation() const;
@@ -102,6 +106,7 @@ class FacetTerm : public solve::NonlinearTerm {
         FrictionMultiplier* multiplier;                    ///< of exact friction, else null
         std::unique_ptr<fem::Form> functional, node_area;  ///< likewise
         std::string regularised_by;                        ///< its constant's name
+        std::string width_key = {};                        ///< its key, below the law's table
         double regularisation;             ///< 0: none; of exact friction the width, which is no constant
         const std::vector<double>* datum;  ///< u_old, theta_F: what is added to the unknown, or k times that
         const std::vector<double>* foundation_velocity;  ///< v_F of friction; null at rest

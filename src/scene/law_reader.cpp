@@ -15,7 +15,10 @@ Law read_law(const Settings& s, const std::string& kind, const std::string& at, 
         std::string key = at;
         key.append(".").append(kind).append(".").append(parameter.key);
         const std::string name = own != nullptr ? kind + "." + parameter.name : parameter.name;
-        law.width = parameter.width ? name : law.width;
+        if (parameter.width) {
+            law.width = name;
+            law.width_key = parameter.key;
+        }
         if (s.has(key)) {
             law.constants[name] = s.value(key).get<double>();
         } else {

@@ -60,9 +60,10 @@ struct TimeSpec {
 /// a scene's file.
 struct Law {
     std::map<std::string, double> constants;
-    std::string file = {};   ///< empty: built-in
-    int line = 0;            ///< of the law in the file
-    std::string width = {};  ///< the constant that continuation widens; empty: none
+    std::string file = {};       ///< empty: built-in
+    int line = 0;                ///< of the law in the file
+    std::string width = {};      ///< the constant that continuation widens; empty: none
+    std::string width_key = {};  ///< its key below the law's table
 };
 
 /// Fourth-order tensor in Voigt form, engineering shear: stress = C (e_xx, e_yy, 2 e_xy), row-major [s][s]; s

@@ -1,6 +1,6 @@
 """Completion for bash."""
 
-from declared import Command, Declared
+from declared import Command, Declared, Option
 
 TEMPLATE = r"""# bash completion for thermocontact; generated
 # Words are taken from the line itself, as bash has cut them at "=".
@@ -47,10 +47,10 @@ _thermocontact() {
 @options@
         esac ;;
     *) case "$command" in
-        @scene_commands@) mapfile -t COMPREPLY < <(compgen -f -X '!*.toml' -- "$current"; compgen -d -S / -- "$current")
-            case "${COMPREPLY[*]}" in */) compopt -o nospace 2>/dev/null ;; esac ;;
+@arguments@
         esac ;;
     esac
+    case "${COMPREPLY[*]}" in */) compopt -o nospace 2>/dev/null ;; esac
 }
 
 # The keys of a scene, with the names of its own boundaries and regions where the file on the line has some.
@@ -91,20 +91,29 @@ complete -F _thermocontact thermocontact
 """
 
 
+FOLDERS = 'compgen -d -S / -- "$current"'
+REPLIES = {
+    "SCENE": f"compgen -f -X '!*.toml' -- \"$current\"; {FOLDERS}",
+    "CHECKPOINT": f"compgen -f -X '!*.h5' -- \"$current\"; {FOLDERS}",
+    "FILE": 'compgen -f -- "$current"',
+    "DIR": 'compgen -d -- "$current"',
+}
+
+
+def _reply(option: Option) -> str:
+    if option.choices:
+        words = f'compgen -W "{" ".join(option.choices)}" -- "$current"'
+    else:
+        words = REPLIES.get(option.awaits, ":")
+    return f"mapfile -t COMPREPLY < <({words})"
+
+
 def _option_values(command: Command) -> list[str]:
-    lines = []
-    for option in command.flags:
-        for name in option.names if option.value and option.value != "KEY=VALUE" else []:
-            if option.choices:
-                reply = f'compgen -W "{" ".join(option.choices)}" -- "$current"'
-            elif option.value == "DIR":
-                reply = 'compgen -d -- "$current"'
-            elif option.value == "CHECKPOINT":
-                reply = 'compgen -f -X \'!*.h5\' -- "$current"; compgen -d -S / -- "$current"'
-            else:
-                reply = ":"
-            lines.append(f"    {command.name}:{name}) mapfile -t COMPREPLY < <({reply}); return ;;")
-    return lines
+    return [
+        f"    {command.name}:{name}) {_reply(option)}; return ;;"
+        for option in command.flags
+        for name in (option.names if option.value and option.awaits != "KEY=VALUE" else [])
+    ]
 
 
 def _names(command: Command) -> str:
@@ -122,7 +131,11 @@ def completion(declared: Declared) -> str:
             f'        {command.name}) mapfile -t COMPREPLY < <(compgen -W "{_names(command)}" -- "$current") ;;'
             for command in commands
         ),
-        "scene_commands": "|".join(command.name for command in commands if command.takes_scene),
+        "arguments": "\n".join(
+            f"        {command.name}) {_reply(command.argument)} ;;"
+            for command in commands
+            if command.argument
+        ),
         "keys": " ".join(key["key"] for key in declared.keys),
         "values": "\n".join(
             f"    {key}) printf '%s\\n' {' '.join(chr(39) + value + chr(39) for value in values)} ;;"

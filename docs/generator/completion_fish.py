@@ -3,6 +3,14 @@
 from declared import Declared, Option
 
 
+OFFERED = {
+    "SCENE": "__fish_complete_suffix .toml",
+    "CHECKPOINT": "__fish_complete_suffix .h5",
+    "DIR": "__fish_complete_directories",
+    "KEY=VALUE": "__thermocontact_settings",
+}
+
+
 def _quoted(text: str) -> str:
     return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'"
 
@@ -13,12 +21,10 @@ def _option(option: Option) -> list[str]:
         words.append(f"-l {name[2:]}" if name.startswith("--") else f"-s {name[1:]}")
     if option.choices:
         words.append(f"-x -a {_quoted(' '.join(option.choices))}")
-    elif option.value == "KEY=VALUE":
-        words.append("-x -a '(__thermocontact_settings)'")
-    elif option.value == "DIR":
-        words.append("-x -a '(__fish_complete_directories)'")
-    elif option.value == "CHECKPOINT":
-        words.append("-x -a '(__fish_complete_suffix .h5)'")
+    elif option.awaits == "FILE":
+        words.append("-r -F")
+    elif option.awaits:
+        words.append(f"-x -a '({OFFERED[option.awaits]})'")
     elif option.value:
         words.append("-x")
     return [*words, f"-d {_quoted(option.help)}"]
@@ -45,8 +51,11 @@ def completion(declared: Declared) -> str:
         )
     for command in declared.commands:
         seen = _quoted(f"__fish_seen_subcommand_from {command.name}")
-        if command.takes_scene:
-            lines.append(f"complete -c thermocontact -n {seen} -k -a '(__fish_complete_suffix .toml)'")
+        if argument := command.argument:
+            offered = (
+                _quoted(" ".join(argument.choices)) if argument.choices else f"'({OFFERED[argument.awaits]})'"
+            )
+            lines.append(f"complete -c thermocontact -n {seen} -k -a {offered}")
         for option in command.flags:
             lines.append(f"complete -c thermocontact -n {seen} " + " ".join(_option(option)))
     return "\n".join(lines) + "\n"

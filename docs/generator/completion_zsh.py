@@ -3,6 +3,15 @@
 from declared import Command, Declared, Option
 
 
+ACTIONS = {
+    "SCENE": '_files -g "*.toml"',
+    "CHECKPOINT": '_files -g "*.h5"',
+    "FILE": "_files",
+    "DIR": "_files -/",
+    "KEY=VALUE": "_thermocontact_settings",
+}
+
+
 def _escaped(text: str) -> str:
     """Inside of '...[text]...'."""
     for character, by in (("\\", "\\\\"), ("'", "'\\''"), ("[", "\\["), ("]", "\\]"), (":", "\\:")):
@@ -13,9 +22,7 @@ def _escaped(text: str) -> str:
 def _action(option: Option) -> str:
     if option.choices:
         return "(" + " ".join(option.choices) + ")"
-    return {"KEY=VALUE": "_thermocontact_settings", "DIR": "_files -/", "CHECKPOINT": '_files -g "*.h5"'}.get(
-        option.value, " "
-    )
+    return ACTIONS.get(option.awaits, " ")
 
 
 def _option(option: Option) -> str:
@@ -27,7 +34,8 @@ def _option(option: Option) -> str:
 
 def _command(command: Command) -> list[str]:
     words = [_option(option) for option in command.flags]
-    words += ["'1:scene:_files -g \"*.toml\"'"] if command.takes_scene else []
+    if argument := command.argument:
+        words.append(f"'1:{argument.name.lower()}:{_action(argument)}'")
     return [f"        {command.name})", "            _arguments -s \\"] + [
         f"                {word}" + (" \\" if i + 1 < len(words) else " ;;") for i, word in enumerate(words)
     ]

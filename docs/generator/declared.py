@@ -26,6 +26,13 @@ class Option:
         """Whether it stands by itself."""
         return not self.name.startswith("-")
 
+    @property
+    def awaits(self) -> str:
+        """What completes it: SCENE, CHECKPOINT, FILE, DIR, KEY=VALUE; "" where that is none of them."""
+        if self.name in ("SCENE", "--scene"):
+            return "SCENE"
+        return self.value if self.value in ("CHECKPOINT", "FILE", "DIR", "KEY=VALUE") else ""
+
 
 @dataclass(frozen=True)
 class Command:
@@ -41,9 +48,9 @@ class Command:
         return [option for option in self.options if not option.is_argument]
 
     @property
-    def takes_scene(self) -> bool:
-        """Whether a scene file is an argument."""
-        return any(option.name == "SCENE" for option in self.options)
+    def argument(self) -> Option | None:
+        """The one that it takes."""
+        return next((option for option in self.options if option.is_argument), None)
 
 
 @dataclass(frozen=True)

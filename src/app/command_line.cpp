@@ -303,10 +303,13 @@ Command command_of(const Parser& parser) {
     return SchemaCommand{words.format, words.scene, words.overrides};
 }
 
-/// Of what follows an option, by what its help calls it.
+/// Of an option or an argument, by what its help calls it.
 std::vector<std::string> choices_of(const std::string& value) {
     if (value == "FORMAT") {
         return formats;
+    }
+    if (value == "LAW") {
+        return scene::law_kinds();
     }
     return value == "QUANTITY" ? plan::quantity_names() : std::vector<std::string>{};
 }

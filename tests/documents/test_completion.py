@@ -72,6 +72,13 @@ class Bash(unittest.TestCase):
         self.assertIn("scenes/", in_bash("thermocontact check "))
         self.assertNotIn("README.md", in_bash("thermocontact check "))
 
+    def test_arguments(self) -> None:
+        """Folders of results, laws, the file of a page, the scene whose keys are asked for."""
+        self.assertIn("scenes", in_bash("thermocontact view s"))
+        self.assertEqual(in_bash("thermocontact forms fr"), ["friction"])
+        self.assertEqual(in_bash("thermocontact view results --output READ"), ["README.md"])
+        self.assertIn("scenes/paper.toml", in_bash("thermocontact schema --scene scenes/paper"))
+
     def test_keys(self) -> None:
         """Every key; those of boundaries by the names that the scene has."""
         offered = in_bash("thermocontact run --set ")

@@ -46,7 +46,8 @@ from oracle_parts.errors import NumericsError, SceneError
 from oracle_parts.followed_mesh import Carrier, read_mesh
 from oracle_parts.problem import Problem, strain
 from oracle_parts.results import CellStress, FieldWriter, History, Stopwatch
-from oracle_parts.scene import Scene, read_scene
+from oracle_parts.read_scene import read_scene
+from oracle_parts.scene import Scene
 from oracle_parts.summary import summary, write_summary
 from oracle_parts.time_steps import Step, step_of
 

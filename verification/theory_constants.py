@@ -27,7 +27,8 @@ from oracle_parts.body_laws import measure, stress
 from oracle_parts.domain import Body, Prescribed, Side, create_body
 from oracle_parts.portability import lagrange_space
 from oracle_parts.problem import Piece, pieces_of, strain
-from oracle_parts.scene import Contact, Scene, Tensor4, read_scene
+from oracle_parts.read_scene import read_scene
+from oracle_parts.scene import Contact, Scene, Tensor4
 
 HERE = Path(__file__).resolve().parent
 PRINTED_DIGITS = 1e-5  # relative; six digits are printed

@@ -18,7 +18,8 @@ from oracle_parts.errors import SceneError
 from oracle_parts.expressions import Expression
 from oracle_parts.followed_mesh import FollowedMesh, create, named_parts
 from oracle_parts.portability import mesh_of_gmsh, settle_geometry
-from oracle_parts.scene import SIDES, Scene, Shape, group_names
+from oracle_parts.read_mesh import group_names
+from oracle_parts.scene import SIDES, Scene, Shape
 
 Array = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int32]

@@ -9,7 +9,7 @@ from itertools import combinations
 
 from matrix_parts.cases import Case
 from matrix_parts.scenes import ABSENT, BASES, Flat, changed
-from matrix_parts.variations import CONDUCTOR, COUPLING, ELASTIC_TENSOR, SPRINGS, VISCOUS_TENSOR
+from matrix_parts.values import CONDUCTOR, COUPLING, ELASTIC_TENSOR, SPRINGS, VISCOUS_TENSOR
 
 BASE = "contact bottom"
 SIDE = "boundary.bottom.contact"

@@ -5,7 +5,7 @@ from typing import Any
 from matrix_parts import variations_in_space as in_space
 from matrix_parts.cases import Case
 from matrix_parts.scenes import ABSENT, BASES, Flat, changed, contact_laws
-from matrix_parts.variations import CONDUCTOR, COUPLING, ELASTIC_TENSOR, VISCOUS_TENSOR
+from matrix_parts.values import CONDUCTOR, COUPLING, ELASTIC_TENSOR, VISCOUS_TENSOR
 
 BASE, BASE_IN_SPACE = "contact bottom", "box contact bottom"
 ANISOTROPIC: Flat = {

@@ -7,16 +7,9 @@ triangles and quadrilaterals. ALIKE are the keys that know nothing of it.
 from matrix_parts.body_law_files import body_law_files
 from matrix_parts.cases import Variation, vary
 from matrix_parts.scenes import ABSENT, AXIS, BESIDE, OPPOSITE, SIDES, Flat, base_name
-from matrix_parts.variations import (
-    DEFAULT,
-    ISOTROPIC,
-    SOLVER_ONLY,
-    contact_on,
-    convection,
-    law_files,
-    rubbing,
-    springs,
-)
+from matrix_parts.values import DEFAULT, ISOTROPIC, SOLVER_ONLY
+from matrix_parts.variations_of_contact import contact_on, law_files, rubbing
+from matrix_parts.variations_of_sides import convection, springs
 
 ALIKE = {
     "title": "a name",

@@ -6,6 +6,7 @@
 #include "solve/condition.h"
 #include "solve/cycle.h"
 #include "solve/line_search.h"
+#include "solve/secants.h"
 
 namespace thermocontact::solve {
 namespace {
@@ -163,6 +164,7 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
                              Eigen::VectorXd& x) {
     Residual current = residual(S, s, F, x);
     CycleDetector cycle;
+    Secants secants;
     for (int iteration = 0;; ++iteration) {
         if (!std::isfinite(current.norm)) {
             return {NewtonEnd::not_finite, iteration, current.relative};
@@ -185,21 +187,26 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
             return stalled(NewtonEnd::cycling);
         }
         if (has_factors_) {
-            Eigen::VectorXd candidate = x - factors_.solve(current.value);
+            Eigen::VectorXd step = secants.improved(-factors_.solve(current.value));
+            Eigen::VectorXd candidate = x + step;
             Residual next = residual(S, s, F, candidate);
             if (next.norm <= kept_factors_rate * current.norm) {
+                secants.take(std::move(step));
                 x = std::move(candidate);
                 current = std::move(next);
                 continue;
             }
         }
+        secants.forget();
         if (!factor(S, F, x)) {
             return {NewtonEnd::singular, iteration, current.relative};
         }
         const Eigen::VectorXd direction = -factors_.solve(current.value);
         Eigen::VectorXd candidate;
         Residual next;
+        double taken = 0;
         const auto attempt = [&](double length) -> LineResidual {
+            taken = length;
             candidate = x + length * direction;
             next = residual(S, s, F, candidate);
             return {next.norm, direction.dot(next.value)};
@@ -208,6 +215,9 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
         if (!line_search(
                 start, [&] { return is_round_off(x, F, current); }, attempt)) {
             return stalled(NewtonEnd::line_search_failed);
+        }
+        if (taken == 1) {
+            secants.take(direction);
         }
         x = std::move(candidate);
         current = std::move(next);

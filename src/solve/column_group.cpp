@@ -14,16 +14,12 @@ namespace {
 using Word = std::int32_t;
 
 constexpr std::ptrdiff_t prefetch_reach = 8192;  ///< bytes
-constexpr std::size_t line = 64;                 ///< bytes
 
-/// Bytes of what precedes the chunks, whole cache lines: the triangle and, for words, what each column's are
-/// multiples of.
 template <typename Number>
-constexpr std::size_t head_bytes(std::int32_t width) {
-    const auto w = static_cast<std::size_t>(width);
-    const std::size_t units = std::is_same_v<Number, Word> ? w : 0;
-    return ((w * w + units) * sizeof(double) + line - 1) / line * line;
-}
+constexpr Storage storage_of = std::is_same_v<Number, Word> ? Storage::words : Storage::doubles;
+
+template <typename Number, int width>
+constexpr auto head = static_cast<std::size_t>(head_bytes(storage_of<Number>, width));
 
 /// What one chunk takes.
 template <typename Number, int width>
@@ -39,7 +35,7 @@ struct Group {
     explicit Group(const std::byte* L)
         : triangle(reinterpret_cast<const double*>(L)),
           units(triangle + width * width),
-          below(reinterpret_cast<const Number*>(L + head_bytes<Number>(width))) {}
+          below(reinterpret_cast<const Number*>(L + head<Number, width>)) {}
 
     double unit(int column) const {
         if constexpr (std::is_same_v<Number, Word>) {
@@ -63,8 +59,8 @@ void solve(const std::byte* L, std::int32_t rows, double* __restrict x) {
     }
     const Number* __restrict below = group.below;
     const std::byte* ahead = L + prefetch_reach;
-    prefetch<head_bytes<Number>(width)>(ahead);
-    ahead += head_bytes<Number>(width);
+    prefetch<head<Number, width>>(ahead);
+    ahead += head<Number, width>;
     for (std::int32_t r = width; r < rows;
          r += chunk, below += width * chunk, ahead += chunk_bytes<Number, width>) {
         prefetch<chunk_bytes<Number, width>>(ahead);
@@ -109,7 +105,7 @@ void solve_transposed(const std::byte* L, std::int32_t rows, double* __restrict 
             }
         }
     }
-    prefetch<head_bytes<Number>(width)>(L - prefetch_reach);
+    prefetch<head<Number, width>>(L - prefetch_reach);
     for (int c = width - 1; c >= 0; --c) {
         x[c] -= group.unit(c) * total(sums[c]);
         for (int r = c + 1; r < width; ++r) {
@@ -143,7 +139,7 @@ double store_column(const double* numbers, std::int32_t count, Number* below, Pl
 template <typename Number, int width>
 void store(const double* columns, std::int64_t leading, std::int32_t rows, std::byte* L) {
     auto* triangle = reinterpret_cast<double*>(L);
-    auto* below = reinterpret_cast<Number*>(L + head_bytes<Number>(width));
+    auto* below = reinterpret_cast<Number*>(L + head<Number, width>);
     for (int c = 0; c < width; ++c) {
         const double* column = columns + c * leading;
         std::copy_n(column + c, width - c, triangle + c * width + c);
@@ -178,14 +174,6 @@ void with(Storage storage, std::int32_t width, Function&& function) {
 }
 
 }  // namespace
-
-std::int64_t group_bytes(Storage storage, std::int32_t width, std::int32_t rows) {
-    const bool words = storage == Storage::words;
-    const std::int64_t chunks = (rows - width + chunk - 1) / chunk;
-    const std::size_t head = words ? head_bytes<Word>(width) : head_bytes<double>(width);
-    const std::size_t number = words ? sizeof(Word) : sizeof(double);
-    return static_cast<std::int64_t>(head) + chunks * chunk * width * static_cast<std::int64_t>(number);
-}
 
 void store_group(Storage storage, const double* columns, std::int64_t leading, std::int32_t width,
                  std::int32_t rows, std::byte* L) {

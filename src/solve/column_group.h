@@ -24,9 +24,21 @@ constexpr double bytes_of(Storage storage) {
     return storage == Storage::words ? sizeof(std::int32_t) : sizeof(double);
 }
 
+/// Bytes of what precedes a group's chunks, whole cache lines: the triangle and, for words, what each
+/// column's are multiples of.
+constexpr std::int64_t head_bytes(Storage storage, std::int32_t width) {
+    constexpr std::int64_t line = 64;
+    const std::int64_t numbers = width * width + (storage == Storage::words ? width : 0);
+    return (numbers * static_cast<std::int64_t>(sizeof(double)) + line - 1) / line * line;
+}
+
 /// Bytes stored for `width` columns of `rows` numbers, of which the first `width` rows are the triangle:
 /// whole cache lines, or halves of them.
-std::int64_t group_bytes(Storage storage, std::int32_t width, std::int32_t rows);
+constexpr std::int64_t group_bytes(Storage storage, std::int32_t width, std::int32_t rows) {
+    const std::int64_t chunks = (rows - width + chunk - 1) / chunk;
+    const std::int64_t number = storage == Storage::words ? sizeof(std::int32_t) : sizeof(double);
+    return head_bytes(storage, width) + chunks * chunk * width * number;
+}
 
 /// Writes such a group; column c begins at columns + c * leading with its row 0.
 void store_group(Storage storage, const double* columns, std::int64_t leading, std::int32_t width,

@@ -38,9 +38,9 @@ CondensedProblem::CondensedProblem(const StepProblemInput& input, std::span<cons
       newton_(input.newton) {
     if (storage == Storage::words) {
         correction_.emplace(Correction{
-            Defect(input.matrix, input.fixed), allowed_error(input.newton.tolerance), {}, {}, {}, {}});
-        correction_->change.resize(input.fixed.size());
-        correction_->forces.resize(input.fixed.size());
+            Defect(input.matrix, input.fixed,
+                   [workers](int count, const std::function<void(int)>& task) { workers->run(count, task); }),
+            allowed_error(input.newton.tolerance)});
     }
 }
 
@@ -57,18 +57,18 @@ Eigen::VectorXd CondensedProblem::begin(const std::vector<double>& rhs, const st
         rhs_ = system_.condense(rhs);
         return on_contact(start);
     }
-    correction_->rhs = rhs;
+    correction_->rhs = &rhs;
     correction_->defect.take(rhs, start);
-    condense_defect();
+    condense_defect(start);
     return correction_->start;
 }
 
 /// A (start + d) + F = r condenses to S (x - start) + F(x) = the condensed defect of the start value.
-void CondensedProblem::condense_defect() {
-    correction_->start = on_contact(correction_->defect.solution());
+void CondensedProblem::condense_defect(const std::vector<double>& solution) {
+    correction_->start = on_contact(solution);
     rhs_ = system_.condense(correction_->defect.value());
     if (rhs_.size() > 0) {
-        rhs_ += system_.schur_complement() * correction_->start;
+        rhs_.noalias() += system_.schur_complement() * correction_->start;
     }
 }
 
@@ -92,33 +92,31 @@ double CondensedProblem::largest_unknown(const Eigen::VectorXd& start) {
                     start.cwiseAbs().maxCoeff());
 }
 
+void CondensedProblem::write_contact(const Eigen::VectorXd& x, std::vector<double>& solution) const {
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        solution[static_cast<std::size_t>(contact_dofs()[static_cast<std::size_t>(i)])] = x[i];
+    }
+}
+
 bool CondensedProblem::finish(const Eigen::VectorXd& x, std::vector<double>& solution) {
     if (!correction_) {
-        system_.expand(x, solution);
-        return all_finite(solution);
+        return system_.expand(x, solution);
     }
-    system_.expand(x - correction_->start, correction_->change);
-    const std::vector<double>& from = correction_->defect.solution();
-    for (const std::int32_t dof : system_.dofs()) {
-        const auto i = static_cast<std::size_t>(dof);
-        solution[i] = from[i] + correction_->change[i];
-    }
-    return all_finite(solution);
+    const bool finite = system_.add_expanded(x - correction_->start, solution);
+    write_contact(x, solution);
+    return finite;
 }
 
 /// In contact rows A w lacks F, of which the condensed problem knows to be s - S x: what the passes lose
 /// shows there, what Newton's method leaves does not.
 double CondensedProblem::backward_error(const Eigen::VectorXd& x, const std::vector<double>& solution) {
-    Defect& defect = correction_->defect;
-    defect.take(correction_->rhs, solution);
+    correction_->defect.take(*correction_->rhs, solution);
+    Eigen::VectorXd forces = rhs_;
     if (x.size() > 0) {
-        const Eigen::VectorXd forces = rhs_ - system_.schur_complement() * x;
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            correction_->forces[static_cast<std::size_t>(contact_dofs()[static_cast<std::size_t>(i)])] =
-                forces[i];
-        }
+        forces.noalias() -= system_.schur_complement() * x;
     }
-    return defect.backward_error(correction_->rhs, correction_->forces);
+    return correction_->defect.backward_error(*correction_->rhs, solution, contact_dofs(),
+                                              {forces.data(), static_cast<std::size_t>(forces.size())});
 }
 
 /// From now on. Neither S nor the order of its unknowns changes.
@@ -153,11 +151,11 @@ NewtonResult CondensedProblem::refine(NonlinearTerm& F, Eigen::VectorXd& x, std:
             return result;
         }
         if (!(error < least_contraction * before)) {
-            const std::vector<double> rhs = std::move(correction_->rhs);
+            const std::vector<double>& rhs = *correction_->rhs;
             use_doubles();
             rhs_ = system_.condense(rhs);
         } else {
-            condense_defect();
+            condense_defect(solution);
         }
         ++corrections_;
         before = error;

@@ -32,17 +32,16 @@ class CondensedProblem : public StepProblem {
   private:
     /// For a solution that is reached from a start value, by a factor in words.
     struct Correction {
-        Defect defect;               ///< of the start value, later of the solution
-        double allowed;              ///< backward error
-        std::vector<double> rhs;     ///< [dofs]
-        Eigen::VectorXd start;       ///< over the contact unknowns
-        std::vector<double> change;  ///< [dofs], from the start value
-        std::vector<double> forces;  ///< [dofs]: F, not 0 at the contact unknowns only
+        Defect defect;   ///< of the start value, later of the solution
+        double allowed;  ///< backward error
+        const std::vector<double>* rhs = nullptr;
+        Eigen::VectorXd start = {};  ///< over the contact unknowns
     };
 
     Eigen::VectorXd solve_with_factors(const Eigen::VectorXd& rhs, bool transposed);
     Eigen::VectorXd on_contact(const std::vector<double>& values) const;
-    void condense_defect();
+    void condense_defect(const std::vector<double>& solution);
+    void write_contact(const Eigen::VectorXd& x, std::vector<double>& solution) const;
     void use_doubles();
     double backward_error(const Eigen::VectorXd& x, const std::vector<double>& solution);
 

@@ -1,6 +1,7 @@
 #include "solve/condensed_system.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -149,7 +150,8 @@ const std::vector<std::int32_t>& InteriorOrders::without(const std::vector<char>
 
 CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,
                                  const std::vector<char>& contact, std::span<const std::int32_t> interior,
-                                 std::shared_ptr<Workers> workers, Storage storage) {
+                                 std::shared_ptr<Workers> workers, Storage storage)
+    : workers_(std::move(workers)) {
     const FreeDofs free = number_free(fixed);
     if (free.dofs.empty()) {
         schur_.resize(0, 0);
@@ -181,7 +183,7 @@ CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vect
     const std::vector<double> scales = equilibrating(reduced, tail);
     scale(reduced, scales);
     try {
-        factor_.emplace(reduced, order, static_cast<std::int32_t>(tail.size()), std::move(workers), storage);
+        factor_.emplace(reduced, order, static_cast<std::int32_t>(tail.size()), workers_, storage);
     } catch (const NotPositiveDefinite& failure) {
         throw NotPositiveDefinite{free.dofs[static_cast<std::size_t>(failure.row)]};
     }
@@ -195,27 +197,65 @@ CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vect
     work_.resize(dofs_.size());
 }
 
+/// Calls work(begin, end, part) for parts of the unknowns, beside each other.
+template <typename Work>
+void CondensedSystem::in_parts(Work&& work) {
+    constexpr std::size_t part_size = 16384;  // far more than waking a thread takes
+    const std::size_t parts = (dofs_.size() + part_size - 1) / part_size;
+    workers_->run(static_cast<int>(parts), [&](int number) {
+        const auto part = static_cast<std::size_t>(number);
+        work(part * part_size, std::min(dofs_.size(), (part + 1) * part_size), part);
+    });
+}
+
 Eigen::VectorXd CondensedSystem::condense(const std::vector<double>& rhs) {
     if (!factor_) {
         return {};
     }
-    for (std::size_t i = 0; i < dofs_.size(); ++i) {
-        work_[i] = scales_[i] * rhs[static_cast<std::size_t>(dofs_[i])];
-    }
+    in_parts([&](std::size_t begin, std::size_t end, std::size_t) {
+        double* values = work_.data();
+        for (std::size_t i = begin; i < end; ++i) {
+            values[i] = scales_[i] * rhs[static_cast<std::size_t>(dofs_[i])];
+        }
+    });
     factor_->forward(work_);
     const auto count = static_cast<Eigen::Index>(contact_dofs_.size());
     return Eigen::Map<const Eigen::VectorXd>(work_.data() + work_.size() - contact_dofs_.size(), count);
 }
 
-void CondensedSystem::expand(const Eigen::VectorXd& contact, std::vector<double>& solution) {
+/// Calls write(dof, value) for all unknowns; false if a value is not finite.
+template <typename Write>
+bool CondensedSystem::expand_by(const Eigen::VectorXd& contact, Write&& write) {
     if (!factor_) {
-        return;
+        return true;
     }
     std::copy(contact.begin(), contact.end(), work_.end() - contact.size());
     factor_->backward(work_);
-    for (std::size_t i = 0; i < dofs_.size(); ++i) {
-        solution[static_cast<std::size_t>(dofs_[i])] = scales_[i] * work_[i];
-    }
+    std::atomic<bool> finite = true;
+    in_parts([&](std::size_t begin, std::size_t end, std::size_t) {
+        double zeros = 0;  // as long as all are finite
+        const double *values = work_.data(), *scales = scales_.data();
+        const std::int32_t* dofs = dofs_.data();
+#pragma omp simd reduction(+ : zeros)
+        for (std::size_t i = begin; i < end; ++i) {
+            zeros += 0 * values[i];
+        }
+        for (std::size_t i = begin; i < end; ++i) {
+            write(static_cast<std::size_t>(dofs[i]), scales[i] * values[i]);
+        }
+        if (zeros != 0) {
+            finite = false;
+        }
+    });
+    return finite;
+}
+
+bool CondensedSystem::expand(const Eigen::VectorXd& contact, std::vector<double>& solution) {
+    return expand_by(contact, [&](std::size_t dof, double value) { solution[dof] = value; });
+}
+
+bool CondensedSystem::add_expanded(const Eigen::VectorXd& contact, std::vector<double>& solution) {
+    return expand_by(contact, [&](std::size_t dof, double value) { solution[dof] += value; });
 }
 
 }  // namespace thermocontact::solve

@@ -51,12 +51,22 @@ class CondensedSystem {
     /// Condensed right-hand side s of the full one [dofs]. Keeps what expand() needs.
     Eigen::VectorXd condense(const std::vector<double>& rhs);
 
-    /// Writes all unknowns that are not fixed into `solution` [dofs], from the contact unknowns.
-    void expand(const Eigen::VectorXd& contact, std::vector<double>& solution);
+    /// Writes all unknowns that are not fixed into `solution` [dofs], from the contact unknowns; false if one
+    /// is not finite.
+    bool expand(const Eigen::VectorXd& contact, std::vector<double>& solution);
+
+    /// The same, but adds them to what is there.
+    bool add_expanded(const Eigen::VectorXd& contact, std::vector<double>& solution);
 
     std::int64_t factor_entries() const { return factor_ ? factor_->entries() : 0; }
 
   private:
+    template <typename Work>
+    void in_parts(Work&& work);
+    template <typename Write>
+    bool expand_by(const Eigen::VectorXd& contact, Write&& write);
+
+    std::shared_ptr<Workers> workers_;
     std::optional<PanelFactor> factor_;  ///< empty if every dof is fixed
     std::vector<std::int32_t> dofs_;     ///< dof at each position of the factor
     std::vector<std::int32_t> contact_dofs_;

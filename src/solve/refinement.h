@@ -18,30 +18,37 @@
 /// unknown in any units.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "fem/block_matrix.h"
+#include "fem/traversal.h"
 
 namespace thermocontact::solve {
 
 class Defect {
   public:
     /// `matrix` must stay, `fixed` [dofs] marks the unknowns that are none.
-    Defect(const fem::BlockMatrix& matrix, const std::vector<char>& fixed);
+    Defect(const fem::BlockMatrix& matrix, const std::vector<char>& fixed, fem::Beside beside);
 
-    /// Keeps w := solution [dofs], zero where fixed, and the defect rhs - A w.
+    /// Keeps the defect rhs - A w of w = solution [dofs], zero where fixed.
     void take(const std::vector<double>& rhs, const std::vector<double>& solution);
 
-    const std::vector<double>& solution() const { return solution_; }
     const std::vector<double>& value() const { return value_; }
 
-    /// omega for A w + forces = rhs, [dofs]; infinite where a number is not finite.
-    double backward_error(const std::vector<double>& rhs, const std::vector<double>& forces) const;
+    /// omega for A w + forces = rhs, of what was taken last; `forces` are those at the listed dofs, 0 at
+    /// others. Infinite where a number is not finite.
+    double backward_error(const std::vector<double>& rhs, const std::vector<double>& solution,
+                          std::span<const std::int32_t> dofs, std::span<const double> forces);
 
   private:
+    double largest_share(const std::vector<double>& rhs, const std::vector<double>& solution) const;
+
     const fem::BlockMatrix* matrix_;
+    fem::Traversal traversal_;
     std::vector<double> roots_;  ///< a_ii^(1/2); 0 where fixed
-    std::vector<double> solution_, value_;
+    std::vector<std::int32_t> fixed_dofs_;
+    std::vector<double> value_;
+    std::vector<double> masked_;  ///< w where some of the fixed unknowns have a value
 };
 
 }  // namespace thermocontact::solve

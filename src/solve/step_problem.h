@@ -32,7 +32,7 @@ class StepProblem {
 
     /// Takes the right-hand side r [dofs] and turns the start value [dofs] into the iterate that the others
     /// work on (its entries are the strategy's own). What processes hold of r at the nodes they share adds
-    /// up.
+    /// up. `rhs` must stay until refine().
     virtual Eigen::VectorXd begin(const std::vector<double>& rhs, const std::vector<double>& start) = 0;
 
     /// From the start value in x to the solution; without contact there is nothing to iterate.
@@ -45,7 +45,7 @@ class StepProblem {
     virtual double largest_unknown(const Eigen::VectorXd& start) = 0;
 
     /// Writes the solution into all dofs that are not fixed; false if an entry is not finite, on whichever
-    /// process.
+    /// process. `solution` holds the start value but for the contact unknowns, where F may have written.
     virtual bool finish(const Eigen::VectorXd& x, std::vector<double>& solution) = 0;
 
     /// After finish(), brings a solution that a coarse factor left beyond what double precision leaves to

@@ -1,10 +1,32 @@
 #include "solve/workers.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <system_error>
 
 namespace thermocontact::solve {
+namespace {
+
+/// About what waking a thread takes.
+constexpr auto patience = std::chrono::microseconds(50);
+
+/// Whether the condition came true soon.
+template <typename Condition>
+bool soon(Condition&& condition) {
+    constexpr int looks = 64;  // between two looks at the clock
+    const auto end = std::chrono::steady_clock::now() + patience;
+    do {
+        for (int i = 0; i < looks; ++i) {
+            if (condition()) {
+                return true;
+            }
+        }
+    } while (std::chrono::steady_clock::now() < end);
+    return false;
+}
+
+}  // namespace
 
 int Workers::available() {
     const char* given = std::getenv("OMP_NUM_THREADS");
@@ -27,7 +49,7 @@ Workers::~Workers() {
 void Workers::start(int others) {
     try {
         while (static_cast<int>(others_.size()) < others) {
-            others_.emplace_back([this] { wait_for_rounds(); });
+            others_.emplace_back([this, seen = round_.load()] { wait_for_rounds(seen); });
         }
     } catch (const std::system_error&) {
         threads_ = static_cast<int>(others_.size()) + 1;
@@ -53,23 +75,28 @@ void Workers::run(int count, const std::function<void(int)>& task) {
     }
     begins_.notify_all();
     take_tasks();
-    std::unique_lock lock(mutex_);
-    ends_.wait(lock, [this] { return at_work_ == 0; });
+    const auto done = [this] { return at_work_ == 0; };
+    if (!soon(done)) {
+        std::unique_lock lock(mutex_);
+        ends_.wait(lock, done);
+    }
 }
 
-void Workers::wait_for_rounds() {
-    int seen = 0;  // a thread started in a round takes part in it
-    std::unique_lock lock(mutex_);
+/// A thread started in a round has not seen it, and takes part.
+void Workers::wait_for_rounds(int seen) {
+    const auto called = [&] { return over_ || round_ != seen; };
     for (;;) {
-        begins_.wait(lock, [&] { return over_ || round_ != seen; });
+        if (!soon(called)) {
+            std::unique_lock lock(mutex_);
+            begins_.wait(lock, called);
+        }
         if (over_) {
             return;
         }
         seen = round_;
-        lock.unlock();
         take_tasks();
-        lock.lock();
         if (--at_work_ == 0) {
+            const std::lock_guard lock(mutex_);  // run() is asleep, or has not looked yet
             ends_.notify_one();
         }
     }

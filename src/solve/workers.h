@@ -12,7 +12,9 @@ namespace thermocontact::solve {
 
 class Workers {
   public:
-    /// At most `threads` at work at a time, the calling one among them; started when first needed.
+    /// At most `threads` at work at a time, the calling one among them; started when first needed. Threads
+    /// that have nothing to do look out for more for a moment before they sleep: waking one takes longer than
+    /// many a loop.
     explicit Workers(int threads) : threads_(threads) {}
     ~Workers();
     Workers(const Workers&) = delete;
@@ -27,16 +29,16 @@ class Workers {
 
   private:
     void start(int others);
-    void wait_for_rounds();
+    void wait_for_rounds(int seen);
     void take_tasks();
 
     int threads_;
     std::vector<std::thread> others_;
     std::mutex mutex_;
     std::condition_variable begins_, ends_;
-    int round_ = 0;    ///< calls of run() so far
-    int at_work_ = 0;  ///< of the other threads
-    bool over_ = false;
+    std::atomic<int> round_ = 0;    ///< calls of run() so far
+    std::atomic<int> at_work_ = 0;  ///< of the other threads
+    std::atomic<bool> over_ = false;
     const std::function<void(int)>* task_ = nullptr;
     int count_ = 0;
     std::atomic<int> next_ = 0;

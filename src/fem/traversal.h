@@ -1,0 +1,90 @@
+/// Loops over the nodes of a space, and products with its matrices, by several threads.
+///
+/// A long vector is read from memory again by every loop that goes through it. Here loops go through a range
+/// of nodes after the other, whose vectors stay in a core's cache meanwhile, and products with several
+/// matrices share a range, too. The ranges do not depend on how many threads there are, so that the last bit
+/// of a sum does not, either.
+#pragma once
+
+#include <cstring>
+#include <functional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "fem/block_rows.h"
+
+namespace thermocontact::fem {
+
+/// Calls task(0) to task(count - 1), each once, beside each other or not.
+using Beside = std::function<void(int count, const std::function<void(int)>& task)>;
+
+/// y := from + factor A x; `from` null: 0. Without `y`, square := x^T A x.
+struct Product {
+    const BlockMatrix* matrix;  ///< null: no product, zeros
+    const std::vector<double>* x;
+    std::vector<double>* y = nullptr;  ///< its size already
+    double factor = 1;
+    const std::vector<double>* from = nullptr;
+    double* square = nullptr;
+};
+
+/// total += part, member by member.
+template <typename Sums>
+void add_doubles(Sums& total, const Sums& part) {
+    static_assert(std::is_trivially_copyable_v<Sums> && sizeof(Sums) % sizeof(double) == 0);
+    constexpr std::size_t count = sizeof(Sums) / sizeof(double);
+    double sums[count], more[count];
+    std::memcpy(sums, &total, sizeof(Sums));
+    std::memcpy(more, &part, sizeof(Sums));
+    for (std::size_t i = 0; i < count; ++i) {
+        sums[i] += more[i];
+    }
+    std::memcpy(static_cast<void*>(&total), sums, sizeof(Sums));
+}
+
+class Traversal {
+  public:
+    /// For the nodes of the graph, which must stay. A space with less than `range_size` nodes or a little
+    /// more has one range.
+    Traversal(const NodeGraph& graph, Beside beside, std::int32_t range_size = 8192);
+
+    std::size_t range_count() const { return ranges_.size(); }
+
+    /// Calls work(range, its number) for all ranges.
+    void each(const std::function<void(NodeRange, std::size_t)>& work) const;
+
+    /// The sum of what work(range) returns for all ranges, a structure of doubles.
+    template <typename Sums, typename Work>
+    Sums sum(Work&& work) const {
+        std::vector<Sums> parts(ranges_.size());
+        each([&](NodeRange range, std::size_t number) { parts[number] = work(range); });
+        Sums total{};
+        for (const Sums& part : parts) {
+            add_doubles(total, part);
+        }
+        return total;
+    }
+
+    /// All products, beside each other; none may read what another one writes.
+    void multiply(std::span<const Product> products);
+
+  private:
+    struct Range {
+        NodeRange all;
+        std::int32_t shared;  ///< rows before that couple with no node beyond the range
+        std::int32_t reach;   ///< beyond the last node that the others couple with
+    };
+
+    std::vector<Range> cut(std::int32_t count) const;
+    void multiply(const Product& product, const Range& range, std::vector<double>& later);
+
+    const NodeGraph* graph_;
+    Beside beside_;
+    std::vector<Range> ranges_;
+    /// [products][ranges]: what the rows from `shared` on add to the nodes after them
+    std::vector<std::vector<std::vector<double>>> later_;
+    std::vector<std::vector<double>> squares_;  ///< [products][ranges]
+};
+
+}  // namespace thermocontact::fem

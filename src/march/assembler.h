@@ -30,14 +30,9 @@ struct Assembler {
     }
 };
 
-/// result := matrix * x, or zeros for an operator that is absent; `result` has its size already.
-inline void product(const std::optional<fem::BlockMatrix>& matrix, const std::vector<double>& x,
-                    std::vector<double>& result) {
-    if (matrix) {
-        matrix->multiply(x, result);
-    } else {
-        std::ranges::fill(result, 0.0);
-    }
+/// For fem::Product.
+inline const fem::BlockMatrix* pointer(const std::optional<fem::BlockMatrix>& matrix) {
+    return matrix ? &*matrix : nullptr;
 }
 
 }  // namespace thermocontact::march

@@ -79,10 +79,6 @@ class Balance {
     int factorisations() const { return factorisations_; }
     /// Newton iterations, of steps and of rungs of continuation, that ended as contact states recurred.
     int cycles() const { return cycles_; }
-    /// See solve::Strategy.
-    void beside(std::initializer_list<std::function<void()>> tasks) const {
-        strategy_->beside({tasks.begin(), tasks.size()});
-    }
     /// Whether start values near the solution save work.
     bool starts_matter() const { return strategy_->starts_matter(); }
     std::int64_t factor_entries() const { return problem().factor_entries(); }

@@ -3,42 +3,58 @@
 #include <algorithm>
 
 namespace thermocontact::march {
+namespace {
 
-void follow_course(const StepRule& rule, const State& state, const Nodal& y, const Nodal& differences,
-                   const std::vector<char>& fixed, Nodal& stage) {
-    if (differences.empty() || state.even_steps == 0) {
-        return;
-    }
-    double weights[course_order] = {};  // Newton's: r, r (r + 1)/2, ... after r of the last steps
-    double weight = rule.alpha;
-    for (int i = 0; i < std::min(course_order, state.even_steps); ++i) {
-        weight *= (rule.step / state.even_step + i) / (i + 1);
-        weights[i] = weight;
-    }
-    for (std::size_t dof = 0; dof < stage.size(); ++dof) {
-        if (fixed[dof] == 0) {
-            double change = 0;
-            for (std::size_t i = 0; i < course_order; ++i) {
-                change += weights[i] * differences[dof * course_order + i];
-            }
-            stage[dof] = y[dof] + change;
+template <int count>
+void follow(const CourseWeights& weights, const double* y, const double* const* before, const char* fixed,
+            std::ptrdiff_t begin, std::ptrdiff_t end, double* stage) {
+#pragma omp simd
+    for (std::ptrdiff_t i = begin; i < end; ++i) {
+        double value = weights.latest * y[i];
+        for (int k = 0; k < count; ++k) {
+            value += weights.before[k] * before[k][i];
         }
+        stage[i] = fixed[i] == 0 ? value : stage[i];
     }
 }
 
-void renew_course(const StepRule& rule, const State& state, const Nodal& y, const Nodal& y_new,
-                  Nodal& differences) {
-    differences.resize(y.size() * course_order);
-    const int known = even_steps(rule, state) - 1;
-    for (std::size_t dof = 0; dof < y.size(); ++dof) {
-        double change = y_new[dof] - y[dof];
-        for (int i = 0; i < course_order; ++i) {
-            double& difference = differences[dof * course_order + static_cast<std::size_t>(i)];
-            const double before = i < known ? difference : 0.0;
-            difference = i <= known ? change : 0.0;
-            change -= before;
+}  // namespace
+
+std::optional<CourseWeights> course_weights(const StepRule& rule, const State& state,
+                                            const PastValues& past) {
+    if (past[0].empty() || state.even_steps == 0) {
+        return std::nullopt;
+    }
+    CourseWeights weights;
+    weights.latest = 1;
+    weights.count = std::min(course_order, state.even_steps);
+    double of_difference = rule.alpha;  // Newton's: r, r (r + 1)/2, ... after r of the last steps
+    for (int order = 1; order <= weights.count; ++order) {
+        of_difference *= (rule.step / state.even_step + (order - 1)) / order;
+        weights.latest += of_difference;
+        double binomial = 1;  // the difference of that order is sum (-1)^k (order over k) y_k
+        for (int k = 1; k <= order; ++k) {
+            binomial *= -static_cast<double>(order - k + 1) / k;
+            weights.before[k - 1] += of_difference * binomial;
         }
     }
+    return weights;
+}
+
+void follow_course(const CourseWeights& weights, const Nodal& y, const PastValues& past,
+                   const std::vector<char>& fixed, fem::NodeRange range, int components, Nodal& stage) {
+    constexpr decltype(&follow<1>) by_count[course_order] = {follow<1>, follow<2>, follow<3>};
+    const double* const before[course_order] = {past[0].data(), past[1].data(), past[2].data()};
+    by_count[weights.count - 1](weights, y.data(), before, fixed.data(),
+                                std::ptrdiff_t{range.begin} * components,
+                                std::ptrdiff_t{range.end} * components, stage.data());
+}
+
+void renew_course(PastValues& past, Nodal& y, Nodal& y_new) {
+    std::rotate(past.begin(), past.end() - 1, past.end());
+    past[0].resize(y.size());
+    std::swap(past[0], y);
+    std::swap(y, y_new);
 }
 
 int even_steps(const StepRule& rule, const State& state) {

@@ -8,6 +8,7 @@
 #include "march/assembler.h"
 #include "march/audit_limit.h"
 #include "march/course.h"
+#include "march/vectors.h"
 #include "model/convection.h"
 #include "parallel/together.h"
 
@@ -30,26 +31,6 @@ model::FacetTerm contact_term(const scene::Scene& scene, const mesh::Mesh& mesh,
         }
     }
     return term;
-}
-
-/// Whether the last bits of temperatures are worth more than an audit may have of the flows through contact,
-/// as the fields are that its term reads; `other` flows (W) count beside those.
-bool rounds_flows(Balance& balance, const parallel::Team& team, double other) {
-    if (balance.contact().empty()) {
-        return false;
-    }
-    const std::vector<std::int32_t>& dofs = balance.contact_dofs();
-    Eigen::VectorXd theta(static_cast<Eigen::Index>(dofs.size()));
-    for (std::size_t i = 0; i < dofs.size(); ++i) {
-        theta[static_cast<Eigen::Index>(i)] = balance.solution()[static_cast<std::size_t>(dofs[i])];
-    }
-    const std::vector<double> magnitudes = balance.contact().magnitudes(theta);
-    std::vector<double> flows(balance.solution().size(), 0.0);
-    balance.contact().nodal_forces("conductance", flows);
-    std::vector<double> sums{std::accumulate(magnitudes.begin(), magnitudes.end(), 0.0),
-                             as_eigen(std::as_const(flows)).lpNorm<1>() + other};
-    team.sum(sums);
-    return std::numeric_limits<double>::epsilon() * sums[0] > least_audit * sums[1];
 }
 
 /// A = c / tau + K + h.
@@ -83,7 +64,10 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
       stage_(initial.temperature),
       reference_(initial.temperature.size(), 0.0),
       excess_(initial.temperature),
-      foundations_(surfaces.size()) {
+      foundations_(surfaces.size(), std::vector<double>(initial.temperature.size(), 0.0)),
+      traversal_(graph, [&strategy](int count, const std::function<void(int)>& task) {
+          strategy.beside(count, task);
+      }) {
     const Assembler assemble{scene, mesh, space, graph};
     capacity_ = assemble.when(scene.heat->capacity.has_value(), "heat_capacity.capacity", 1, 1);
     conduction_ = assemble.when(scene.heat->conductivity.has_value(), "conduction.conduction", 1, 1);
@@ -109,29 +93,30 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
         contact_term(scene, mesh, space, surfaces, *stage_displacement, foundations_, excess_), space,
         strategy, excess_);
     for (auto* products : {&stored_, &base_stored_, &new_stored_, &conducted_, &outflow_, &source_, &part_,
-                           &rhs_, &of_reference_}) {
+                           &rhs_, &of_reference_, &expected_, &new_temperature_}) {
         products->resize(stage_.size());
     }
+    contact_nodes_ = balance_->contact().nodes_with_forces();
     refer_to(nullptr);
     restart(initial);
 }
 
 void Heat::restart(const State& state) {
-    product(capacity_, state.temperature, stored_);
+    multiply({{.matrix = pointer(capacity_), .x = &state.temperature, .y = &stored_}});
 }
 
 /// theta_ref is the given temperature where the foundation conducts, else 0; 0 everywhere without one.
 void Heat::refer_to(const std::vector<double>* temperature) {
-    std::ranges::fill(reference_, 0.0);
+    referred_ = false;
     for (std::size_t s = 0; s < surfaces_->size(); ++s) {
         const model::ContactSurface& surface = *(*surfaces_)[s];
         if (!surface.laws.conductance) {
             continue;
         }
-        foundations_[s].assign(reference_.size(), 0.0);
         for (const std::int32_t node : surface.nodes) {
             const auto i = static_cast<std::size_t>(node);
             reference_[i] = temperature != nullptr ? (*temperature)[i] : 0.0;
+            referred_ = referred_ || reference_[i] != 0;
             foundations_[s][i] = surface.foundation_temperature[i] - reference_[i];
         }
     }
@@ -144,15 +129,26 @@ void Heat::begin(const StepRule& rule, const State& state) {
     if (ambient_) {
         ambient_load_ = parallel::together(*team_, [&] { return &ambient_->at(rule.stage_time()); });
     }
+    const auto go_on = [&](double seconds, Nodal& result) {
+        traversal_.each([&](fem::NodeRange range, std::size_t) {
+            extrapolate(seconds, state.temperature, state.temperature_rate, range.begin, range.end, result);
+        });
+    };
     if (rule.memory() != 0) {
-        extrapolate(rule.memory(), state.temperature, state.temperature_rate, stage_);
-        product(capacity_, stage_, base_stored_);
+        go_on(rule.memory(), stage_);
+        multiply({{.matrix = pointer(capacity_), .x = &stage_, .y = &base_stored_}});
     }
-    extrapolate(rule.outlook(), state.temperature, state.temperature_rate, expected_);
-    stage_ = expected_;
-    follow_course(rule, state, state.temperature, state.temperature_differences,
-                  balance_->prescribed().fixed(), stage_);
-    new_temperature_ = state.temperature;
+    go_on(rule.outlook(), expected_);
+    const auto weights = course_weights(rule, state, state.past_temperature);
+    traversal_.each([&](fem::NodeRange range, std::size_t) {
+        if (weights) {
+            follow_course(*weights, state.temperature, state.past_temperature, balance_->prescribed().fixed(),
+                          range, 1, stage_);
+        } else {
+            std::copy(expected_.begin() + range.begin, expected_.begin() + range.end,
+                      stage_.begin() + range.begin);
+        }
+    });
     parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_temperature_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
@@ -160,28 +156,64 @@ void Heat::begin(const StepRule& rule, const State& state) {
     }
 }
 
+Heat::Sum Heat::sum_over_nodes(const std::vector<double>& flows) const {
+    return traversal_.sum<Sum>([&](fem::NodeRange range) {
+        double value = 0, magnitude = 0;
+#pragma omp simd reduction(+ : value, magnitude)
+        for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i) {
+            value += flows[i];
+            magnitude += std::abs(flows[i]);
+        }
+        return Sum{value, magnitude};
+    });
+}
+
+Heat::Sum Heat::sum_at_contact(const std::vector<double>& flows) const {
+    Sum sum;
+    for (const std::int32_t node : contact_nodes_) {
+        sum.add(flows[static_cast<std::size_t>(node)]);
+    }
+    return sum;
+}
+
 /// Heat of strain, of its rate and of friction; what is absent costs nothing.
 void Heat::gather_sources(const model::Motion& motion) {
-    const auto sum_of = [](const std::vector<double>& flows) {
-        return Sum{as_eigen(flows).sum(), as_eigen(flows).lpNorm<1>()};
-    };
-    std::ranges::fill(source_, 0.0);
     strain_ = strain_rate_ = friction_ = {};
+    multiply({{.matrix = pointer(strain_heating_), .x = motion.displacement, .y = &source_}});
     if (strain_heating_) {
-        strain_heating_->multiply(*motion.displacement, source_);
-        strain_ = sum_of(source_);
+        strain_ = sum_over_nodes(source_);
     }
     if (strain_rate_heating_) {
-        strain_rate_heating_->multiply(*motion.velocity, part_);
-        strain_rate_ = sum_of(part_);
+        multiply({{.matrix = pointer(strain_rate_heating_), .x = motion.velocity, .y = &part_}});
+        strain_rate_ = sum_over_nodes(part_);
         as_eigen(source_) += as_eigen(std::as_const(part_));
     }
     if (!friction_heat_.empty()) {
         std::ranges::fill(part_, 0.0);
         friction_heat_.add_to(part_);
-        friction_ = sum_of(part_);
+        friction_ = sum_over_nodes(part_);
         as_eigen(source_) += as_eigen(std::as_const(part_));
     }
+}
+
+/// Whether the last bits of temperatures are worth more than an audit may have of the flows through contact,
+/// as the fields are that its term reads; those in the body count, too.
+bool Heat::rounds_flows() {
+    if (balance_->contact().empty()) {
+        return false;
+    }
+    const std::vector<std::int32_t>& dofs = balance_->contact_dofs();
+    Eigen::VectorXd theta(static_cast<Eigen::Index>(dofs.size()));
+    for (std::size_t i = 0; i < dofs.size(); ++i) {
+        theta[static_cast<Eigen::Index>(i)] = balance_->solution()[static_cast<std::size_t>(dofs[i])];
+    }
+    const std::vector<double> magnitudes = balance_->contact().magnitudes(theta);
+    balance_->contact().nodal_forces("conductance", outflow_);
+    std::vector<double> sums{std::accumulate(magnitudes.begin(), magnitudes.end(), 0.0),
+                             sum_at_contact(outflow_).magnitude + sum_over_nodes(*load_).magnitude +
+                                 strain_.magnitude + strain_rate_.magnitude + friction_.magnitude};
+    team_->sum(sums);
+    return std::numeric_limits<double>::epsilon() * sums[0] > least_audit * sums[1];
 }
 
 /// Where conductance is so large that the last bit of a temperature is worth more flow than the tolerance, or
@@ -200,9 +232,7 @@ SolveReport Heat::solve(const model::Motion& motion) {
             throw;
         }
     }
-    const double other =
-        as_eigen(*load_).lpNorm<1>() + strain_.magnitude + strain_rate_.magnitude + friction_.magnitude;
-    if (first && first->at_round_off == 0 && !rounds_flows(*balance_, *team_, other)) {
+    if (first && first->at_round_off == 0 && !rounds_flows()) {
         return *first;
     }
     const std::vector<double> found = stage_;
@@ -224,26 +254,29 @@ SolveReport Heat::solve(const model::Motion& motion) {
 }
 
 SolveReport Heat::solve_from_reference() {
-    as_eigen(rhs_) =
-        as_eigen(*load_) + as_eigen(base_stored()) / rule_.tau + as_eigen(std::as_const(source_));
+    const std::vector<double>&load = *load_, &stored = base_stored();
+    over_dofs(traversal_, 1, [&, tau = rule_.tau](std::size_t i) {
+        rhs_[i] = load[i] + stored[i] / tau + source_[i];
+        excess_[i] = stage_[i] - reference_[i];
+    });
     if (ambient_load_ != nullptr) {
         as_eigen(rhs_) += as_eigen(*ambient_load_);
     }
-    if (std::ranges::any_of(reference_, [](double theta) { return theta != 0; })) {
-        product(capacity_, reference_, of_reference_);
-        as_eigen(rhs_) -= as_eigen(std::as_const(of_reference_)) / rule_.tau;
-        for (const auto* matrix : {&conduction_, &exchange_}) {
-            product(*matrix, reference_, of_reference_);
-            as_eigen(rhs_) -= as_eigen(std::as_const(of_reference_));
+    if (referred_) {
+        for (const auto& [matrix, factor] :
+             {std::pair{&capacity_, -1 / rule_.tau}, {&conduction_, -1.0}, {&exchange_, -1.0}}) {
+            multiply({{.matrix = pointer(*matrix),
+                       .x = &reference_,
+                       .y = &of_reference_,
+                       .factor = factor,
+                       .from = &rhs_}});
+            std::swap(rhs_, of_reference_);
         }
     }
-    as_eigen(excess_) = as_eigen(std::as_const(stage_)) - as_eigen(std::as_const(reference_));
+    const std::vector<char>& fixed = balance_->prescribed().fixed();
     const auto take = [&] {
-        for (std::size_t i = 0; i < stage_.size(); ++i) {
-            if (balance_->prescribed().fixed()[i] == 0) {
-                stage_[i] = reference_[i] + excess_[i];
-            }
-        }
+        over_dofs(traversal_, 1,
+                  [&](std::size_t i) { stage_[i] = fixed[i] == 0 ? reference_[i] + excess_[i] : stage_[i]; });
     };
     try {
         const SolveReport report = balance_->solve(rhs_);
@@ -257,11 +290,11 @@ SolveReport Heat::solve_from_reference() {
 
 /// The prescribed temperatures are those of begin(), to the last bit.
 void Heat::complete(const State& state) {
-    for (std::size_t i = 0; i < stage_.size(); ++i) {
-        if (balance_->prescribed().fixed()[i] == 0) {
-            new_temperature_[i] = rule_.completed(state.temperature[i], stage_[i]);
-        }
-    }
+    const std::vector<char>& fixed = balance_->prescribed().fixed();
+    over_dofs(traversal_, 1, [&, rule = rule_](std::size_t i) {
+        const double theta = rule.completed(state.temperature[i], stage_[i]);
+        new_temperature_[i] = fixed[i] == 0 ? theta : new_temperature_[i];
+    });
 }
 
 FieldError Heat::temperature_error(const State& state) const {
@@ -277,11 +310,12 @@ void Heat::accept(State& state, const Scheme& scheme) {
     add_to_audit();
     renew_rates(scheme, rule_, state.temperature, new_temperature_, state.temperature_rate,
                 state.temperature_curvature);
-    if (balance_->starts_matter()) {
-        renew_course(rule_, state, state.temperature, new_temperature_, state.temperature_differences);
-    }
     std::swap(stored_, new_stored_);
-    std::swap(state.temperature, new_temperature_);
+    if (balance_->starts_matter()) {
+        renew_course(state.past_temperature, state.temperature, new_temperature_);
+    } else {
+        std::swap(state.temperature, new_temperature_);
+    }
 }
 
 double Heat::temperature_norm(const std::vector<double>& theta) const {

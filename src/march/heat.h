@@ -13,9 +13,11 @@
 /// computed, as the heat of friction always does.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
+#include "fem/traversal.h"
 #include "march/balance.h"
 #include "march/step_error.h"
 #include "march/step_rule.h"
@@ -99,11 +101,29 @@ class Heat {
     /// A heat source, or several, assembled: its sum and that of its magnitudes, W.
     struct Sum {
         double value = 0, magnitude = 0;
+
+        void add(double flow) {
+            value += flow;
+            magnitude += std::abs(flow);
+        }
     };
 
     void gather_sources(const model::Motion& motion);
+    Sum sum_over_nodes(const std::vector<double>& flows) const;
+    Sum sum_at_contact(const std::vector<double>& flows) const;
+    void multiply(std::initializer_list<fem::Product> products) {
+        traversal_.multiply({products.begin(), products.size()});
+    }
     void add_to_audit();
+    /// What a range of nodes adds up to, of the flows in the body.
+    struct BodyFlows {
+        Sum storage, load;
+        double stored = 0;  ///< sum of |C theta|, J
+    };
+    BodyFlows flows_over(fem::NodeRange range) const;
+    double storage_rate(std::size_t node) const;
     Flows flows();
+    bool rounds_flows();
     void refer_to(const std::vector<double>* temperature);
     SolveReport solve_from_reference();
     const std::vector<double>& base_stored() const { return rule_.memory() == 0 ? stored_ : base_stored_; }
@@ -128,11 +148,14 @@ class Heat {
     const model::ContactSurfaces* surfaces_;
     std::vector<double> expected_, stage_;  ///< theta_s before and after it is solved
     std::vector<double> reference_;         ///< theta_ref
+    bool referred_ = false;                 ///< whether theta_ref is other than 0
     std::vector<double> excess_;            ///< theta_s - theta_ref, which is solved for; contact reads it
     std::vector<std::vector<double>> foundations_;  ///< [surfaces]: theta_F - theta_ref likewise
     std::vector<double> new_temperature_;           ///< at the end of the step
     std::vector<double> no_displacement_;           ///< for contact forms of a scene without mechanics
     std::unique_ptr<Balance> balance_;
+    fem::Traversal traversal_;
+    std::vector<std::int32_t> contact_nodes_;                ///< where heat may flow out into foundations
     std::vector<double> stored_, base_stored_, new_stored_;  ///< C theta, C theta_hat and C theta_new
     std::vector<double> rhs_, of_reference_;
     std::vector<double> outflow_;        ///< contact conductance, assembled

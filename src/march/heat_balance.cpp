@@ -9,39 +9,60 @@
 
 namespace thermocontact::march {
 
+double Heat::storage_rate(std::size_t node) const {
+    const double old = stored_[node], now = new_stored_[node], base = base_stored()[node];
+    return (rule_.alpha * (now - old) - (base - old)) / rule_.tau;
+}
+
+Heat::BodyFlows Heat::flows_over(fem::NodeRange range) const {
+    const StepRule rule = rule_;
+    const double *old = stored_.data(), *now = new_stored_.data(), *base = base_stored().data(),
+                 *load = load_->data();
+    double storage = 0, storage_magnitude = 0, loads = 0, load_magnitude = 0, stored = 0;
+#pragma omp simd reduction(+ : storage, storage_magnitude, loads, load_magnitude, stored)
+    for (std::int32_t i = range.begin; i < range.end; ++i) {
+        const double rate = (rule.alpha * (now[i] - old[i]) - (base[i] - old[i])) / rule.tau;
+        storage += rate;
+        storage_magnitude += std::abs(rate);
+        loads += load[i];
+        load_magnitude += std::abs(load[i]);
+        stored += std::abs(now[i]);
+    }
+    return {{storage, storage_magnitude}, {loads, load_magnitude}, stored};
+}
+
 Heat::Flows Heat::flows() {
-    product(capacity_, new_temperature_, new_stored_);
-    product(conduction_, stage_, conducted_);
+    multiply({{.matrix = pointer(capacity_), .x = &new_temperature_, .y = &new_stored_},
+              {.matrix = pointer(conduction_), .x = &stage_, .y = &conducted_}});
     balance_->contact().nodal_forces("conductance", outflow_);
-    const auto stored = as_eigen(std::as_const(stored_)), load = as_eigen(*load_),
-               source = as_eigen(std::as_const(source_)), outflow = as_eigen(std::as_const(outflow_));
-    const Eigen::VectorXd storage =
-        (rule_.alpha * (as_eigen(std::as_const(new_stored_)) - stored) - (as_eigen(base_stored()) - stored)) /
-        rule_.tau;
-    Eigen::VectorXd residual = storage + as_eigen(std::as_const(conducted_)) + outflow - load - source;
-    Flows here{.storage = storage.sum(),
-               .outflow = outflow.sum(),
+    const auto body = traversal_.sum<BodyFlows>([this](fem::NodeRange range) { return flows_over(range); });
+    const Sum outflow = sum_at_contact(outflow_);
+    Flows here{.storage = body.storage.value,
+               .outflow = outflow.value,
                .convection = 0,
                .reaction = 0,
-               .load = load.sum(),
+               .load = body.load.value,
                .strain = strain_.value,
                .strain_rate = strain_rate_.value,
                .friction = friction_.value,
-               .scale = storage.lpNorm<1>() + outflow.lpNorm<1>() + load.lpNorm<1>() + strain_.magnitude +
+               .scale = body.storage.magnitude + outflow.magnitude + body.load.magnitude + strain_.magnitude +
                         strain_rate_.magnitude + friction_.magnitude +
-                        worth_of_round_off(as_eigen(std::as_const(new_stored_)).lpNorm<1>() / rule_.tau)};
+                        worth_of_round_off(body.stored / rule_.tau)};
     if (exchange_) {
-        exchange_->multiply(stage_, part_);
+        multiply({{.matrix = pointer(exchange_), .x = &stage_, .y = &part_}});
         as_eigen(part_) -= as_eigen(*ambient_load_);
-        const auto convected = as_eigen(std::as_const(part_));
-        residual += convected;
-        here.convection = convected.sum();
-        here.scale += convected.lpNorm<1>();
+        const Sum convected = sum_over_nodes(part_);
+        here.convection = convected.value;
+        here.scale += convected.magnitude;
     }
+    Sum reaction;
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
-        here.reaction += residual[dof];
-        here.scale += std::abs(residual[dof]);
+        const auto i = static_cast<std::size_t>(dof);
+        reaction.add(storage_rate(i) + conducted_[i] + outflow_[i] - (*load_)[i] - source_[i] +
+                     (exchange_ ? part_[i] : 0.0));
     }
+    here.reaction = reaction.value;
+    here.scale += reaction.magnitude;
     return team_->summed(here);
 }
 

@@ -5,6 +5,7 @@
 
 #include "march/assembler.h"
 #include "march/course.h"
+#include "march/vectors.h"
 #include "parallel/together.h"
 
 namespace thermocontact::march {
@@ -65,7 +66,10 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
       springs_(scene, mesh, space),
       stage_velocity_(initial.velocity),
       base_displacement_(initial.displacement),
-      stage_displacement_(initial.displacement) {
+      stage_displacement_(initial.displacement),
+      traversal_(graph, [&strategy](int count, const std::function<void(int)>& task) {
+          strategy.beside(count, task);
+      }) {
     const Assembler assemble{scene, mesh, space, graph};
     const int d = dimension_;
     mass_ = assemble.when(scene.material->density.has_value(), "inertia.mass", d, d);
@@ -88,34 +92,41 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
         model::nodes_with(surfaces, space, &scene::Contact::compliance),
         contact_term(mesh, space, d, surfaces, base_displacement_, stage_velocity_), space, strategy,
         stage_velocity_);
-    for (auto* nodal : {&thermal_, &inertia_, &viscous_, &compliance_, &friction_, &reaction_}) {
+    for (auto* nodal : {&thermal_, &inertia_, &viscous_, &compliance_, &friction_, &reaction_, &rhs_,
+                        &base_velocity_, &new_displacement_, &new_velocity_}) {
         nodal->resize(stage_velocity_.size());
     }
-    rhs_.resize(stage_velocity_.size());
     spring_.resize(springs_.empty() ? 0 : stage_velocity_.size());
+    contact_nodes_ = balance_->contact().nodes_with_forces();
+    for (const std::int32_t dof : balance_->prescribed().dofs()) {
+        prescribed_nodes_.push_back(dof / d);
+    }
+    std::ranges::sort(prescribed_nodes_);
+    const auto repeated = std::ranges::unique(prescribed_nodes_);
+    prescribed_nodes_.erase(repeated.begin(), repeated.end());
     restart(initial);
 }
 
 void Momentum::apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
                      Products& products) {
-    products.mass_w.resize(velocity.size());
-    products.stiffness_u.resize(displacement.size());
-    product(mass_, velocity, products.mass_w);
-    deformation_ = displacement;
-    centre(deformation_, dimension_);
-    product(stiffness_, deformation_, products.stiffness_u);
+    for (auto* nodal : {&products.mass_w, &products.stiffness_u, &products.deformation}) {
+        nodal->resize(velocity.size());
+    }
+    centre(displacement, dimension_, traversal_, products.deformation);
+    multiply({{.matrix = pointer(mass_), .x = &velocity, .y = &products.mass_w},
+              {.matrix = pointer(stiffness_), .x = &products.deformation, .y = &products.stiffness_u}});
 }
 
 /// All products that the audit of a step takes.
 void Momentum::apply_to_new_state() {
-    now_.mass_w.resize(new_velocity_.size());
-    now_.stiffness_u.resize(new_displacement_.size());
-    deformation_ = new_displacement_;
-    centre(deformation_, dimension_);
-    balance_->beside({[this] { product(stiffness_, deformation_, now_.stiffness_u); },
-                      [this] { product(damping_, stage_velocity_, viscous_); },
-                      [this] { strain_square_ = strain_gram_.quadratic_form(deformation_); },
-                      [this] { product(mass_, new_velocity_, now_.mass_w); }});
+    for (auto* nodal : {&now_.mass_w, &now_.stiffness_u, &now_.deformation}) {
+        nodal->resize(new_velocity_.size());
+    }
+    centre(new_displacement_, dimension_, traversal_, now_.deformation);
+    multiply({{.matrix = pointer(stiffness_), .x = &now_.deformation, .y = &now_.stiffness_u},
+              {.matrix = &strain_gram_, .x = &now_.deformation, .square = &strain_square_},
+              {.matrix = pointer(damping_), .x = &stage_velocity_, .y = &viscous_},
+              {.matrix = pointer(mass_), .x = &new_velocity_, .y = &now_.mass_w}});
 }
 
 void Momentum::restart(const State& state) {
@@ -129,15 +140,26 @@ void Momentum::begin(const StepRule& rule, const State& state) {
     balance_->use(rule.tau);
     load_ = parallel::together(*team_, [&] { return &loads_.at(rule.stage_time()); });
     parallel::together(*team_, [&] { springs_.move(rule.begin, rule.stage_time(), rule.end); });
-    extrapolate(rule.memory(), state.displacement, state.displacement_rate, base_displacement_);
+    const auto weights = course_weights(rule, state, state.past_velocity);
+    traversal_.each([&](fem::NodeRange range, std::size_t) {
+        const std::ptrdiff_t d = dimension_, begin = range.begin * d, end = range.end * d;
+        const auto go_on = [&](double seconds, const Nodal& y, const Nodal& rate, Nodal& result) {
+            extrapolate(seconds, y, rate, begin, end, result);
+        };
+        go_on(rule.memory(), state.displacement, state.displacement_rate, base_displacement_);
+        if (rule.memory() != 0) {
+            go_on(rule.memory(), state.velocity, state.velocity_rate, base_velocity_);
+        }
+        if (weights) {
+            follow_course(*weights, state.velocity, state.past_velocity, balance_->prescribed().fixed(),
+                          range, dimension_, stage_velocity_);
+        } else {
+            go_on(rule.outlook(), state.velocity, state.velocity_rate, stage_velocity_);
+        }
+    });
     if (rule.memory() != 0) {
-        extrapolate(rule.memory(), state.velocity, state.velocity_rate, base_velocity_);
         apply(base_velocity_, base_displacement_, base_);
     }
-    extrapolate(rule.outlook(), state.velocity, state.velocity_rate, stage_velocity_);
-    follow_course(rule, state, state.velocity, state.velocity_differences, balance_->prescribed().fixed(),
-                  stage_velocity_);
-    new_displacement_ = state.displacement;
     parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_displacement_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
@@ -148,16 +170,18 @@ void Momentum::begin(const StepRule& rule, const State& state) {
 }
 
 SolveReport Momentum::solve(const std::vector<double>& temperature) {
-    product(coupling_, temperature, thermal_);
-    as_eigen(rhs_) = as_eigen(*load_) + as_eigen(base().mass_w) / rule_.tau - as_eigen(base().stiffness_u) +
-                     as_eigen(std::as_const(thermal_));
+    multiply({{.matrix = pointer(coupling_), .x = &temperature, .y = &thermal_}});
+    const std::vector<double>&load = *load_, &mass_w = base().mass_w, &stiffness_u = base().stiffness_u;
+    const std::vector<char>& fixed = balance_->prescribed().fixed();
+    over_dofs(traversal_, dimension_, [&, tau = rule_.tau](std::size_t i) {
+        rhs_[i] = load[i] + mass_w[i] / tau - stiffness_u[i] + thermal_[i];
+    });
     springs_.add_forces(-1, base_displacement_, rhs_);
     const SolveReport report = balance_->solve(rhs_);
-    for (std::size_t i = 0; i < stage_displacement_.size(); ++i) {
-        if (balance_->prescribed().fixed()[i] == 0) {
-            stage_displacement_[i] = base_displacement_[i] + rule_.tau * stage_velocity_[i];
-        }
-    }
+    over_dofs(traversal_, dimension_, [&, tau = rule_.tau](std::size_t i) {
+        const double moved = base_displacement_[i] + tau * stage_velocity_[i];
+        stage_displacement_[i] = fixed[i] == 0 ? moved : stage_displacement_[i];
+    });
     return report;
 }
 
@@ -166,24 +190,24 @@ void Momentum::accept(State& state, const Scheme& scheme) {
     renew_rates(scheme, rule_, state.displacement, new_displacement_, state.displacement_rate,
                 state.displacement_curvature);
     renew_rates(scheme, rule_, state.velocity, new_velocity_, state.velocity_rate, state.velocity_curvature);
-    if (balance_->starts_matter()) {
-        renew_course(rule_, state, state.velocity, new_velocity_, state.velocity_differences);
-    }
     std::swap(old_, now_);
     std::swap(state.displacement, new_displacement_);
-    std::swap(state.velocity, new_velocity_);
+    if (balance_->starts_matter()) {
+        renew_course(state.past_velocity, state.velocity, new_velocity_);
+    } else {
+        std::swap(state.velocity, new_velocity_);
+    }
     state.friction_multiplier = model::multipliers_of(*surfaces_, *mesh_);
 }
 
 /// The prescribed displacements are those of begin(), to the last bit.
 void Momentum::complete(const State& state) {
-    new_velocity_.resize(stage_velocity_.size());
-    for (std::size_t i = 0; i < stage_velocity_.size(); ++i) {
-        if (balance_->prescribed().fixed()[i] == 0) {
-            new_displacement_[i] = rule_.completed(state.displacement[i], stage_displacement_[i]);
-        }
-        new_velocity_[i] = rule_.completed(state.velocity[i], stage_velocity_[i]);
-    }
+    const std::vector<char>& fixed = balance_->prescribed().fixed();
+    over_dofs(traversal_, dimension_, [&, rule = rule_](std::size_t i) {
+        const double u = rule.completed(state.displacement[i], stage_displacement_[i]);
+        new_displacement_[i] = fixed[i] == 0 ? u : new_displacement_[i];
+        new_velocity_[i] = rule.completed(state.velocity[i], stage_velocity_[i]);
+    });
 }
 
 bool Momentum::rates_matter() const {

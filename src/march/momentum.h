@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+#include "fem/traversal.h"
 #include "march/balance.h"
 #include "march/momentum_audit.h"
 #include "march/step_error.h"
@@ -90,16 +91,28 @@ class Momentum {
   private:
     struct Products {  ///< operators applied to a state [nodes][components]; zeros where absent
         std::vector<double> mass_w, stiffness_u;
+        std::vector<double> deformation;  ///< displacement less its mean
     };
 
     void apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
                Products& products);
     void apply_to_new_state();
+    void multiply(std::initializer_list<fem::Product> products) {
+        traversal_.multiply({products.begin(), products.size()});
+    }
 
     /// Products of w_hat and u_hat.
     const Products& base() const { return rule_.memory() == 0 ? old_ : base_; }
-    MomentumForces collect_forces();
-    Energies energies(const State& old) const;
+    void collect_boundary_forces();
+    /// What a range of nodes adds up to, of the forces in the body.
+    struct BodySums {
+        Energies energies;
+        ForceSums inertia, viscous, thermal, load;
+        double momentum = 0;  ///< sum of |M w|, N s
+    };
+    BodySums sums_over(fem::NodeRange range, const State& old);
+    void add_boundary(MomentumSums& sums);
+    void add_springs(Energies& energies, MomentumSums& sums, const State& old);
     double motion_of(std::size_t i, const State& old) const;
     std::string what_is_lost(const std::string& which, double residual, double limit) const;
     bool rates_matter() const;
@@ -125,8 +138,10 @@ class Momentum {
     std::vector<double> stage_displacement_, base_velocity_;
     std::vector<double> new_displacement_, new_velocity_;  ///< at the end of the step
     std::unique_ptr<Balance> balance_;
-    Products old_, base_, now_;              ///< of the state, of w_hat and u_hat, and of the new state
-    std::vector<double> rhs_, deformation_;  ///< the latter: displacement less its mean
+    fem::Traversal traversal_;
+    std::vector<std::int32_t> contact_nodes_, prescribed_nodes_;  ///< where forces of the boundary act
+    Products old_, base_, now_;  ///< of the state, of w_hat and u_hat, and of the new state
+    std::vector<double> rhs_;
     std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< at the stage
     std::vector<double> thermal_;  ///< (theta M, eps(v)), assembled
     std::vector<double> spring_;   ///< at the stage; empty without springs

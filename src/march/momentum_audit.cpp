@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "march/vectors.h"
+#include "fem/traversal.h"
 
 namespace thermocontact::march {
 namespace {
@@ -21,44 +21,48 @@ Audit difference_of(const Record& left, const Record& right, double extra) {
     return {left, difference, scale};
 }
 
+/// Four nodes side by side, and then the others.
 template <int components>
-MomentumSums sum_over_nodes(const MomentumForces& forces, const double* velocity, std::ptrdiff_t nodes) {
-    constexpr int count = 7;
-    const double* const values[count] = {
-        forces.inertia.data(),  forces.viscous.data(), forces.thermal.data(), forces.compliance.data(),
-        forces.friction.data(), forces.load.data(),    forces.reaction.data()};
-    ForceSums sums[count];
-    for (std::ptrdiff_t i = 0; i < nodes * components; i += components) {
-        for (int f = 0; f < count; ++f) {
-            for (int c = 0; c < components; ++c) {
-                const double value = values[f][i + c];
-                sums[f].power += value * velocity[i + c];
-                sums[f].magnitude += std::abs(value);
-                sums[f].resultant[static_cast<std::size_t>(c)] += value;
-            }
+ForceSums sum_over(const double* force, const double* velocity, fem::NodeRange range) {
+    constexpr int lanes = 4 * components;
+    double power[lanes] = {}, magnitude[lanes] = {}, resultant[lanes] = {};
+    const std::ptrdiff_t end = std::ptrdiff_t{range.end} * components;
+    std::ptrdiff_t i = std::ptrdiff_t{range.begin} * components;
+    for (; i + lanes <= end; i += lanes) {
+#pragma omp simd
+        for (int lane = 0; lane < lanes; ++lane) {
+            const double value = force[i + lane];
+            power[lane] += value * velocity[i + lane];
+            magnitude[lane] += std::abs(value);
+            resultant[lane] += value;
         }
     }
-    return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6], {}, 0.0};
-}
-
-/// Of springs, which few scenes have: `force` is empty without.
-ForceSums sum_of(const ConstVectorMap& force, const ConstVectorMap& velocity, int components) {
-    ForceSums sum;
-    for (Eigen::Index i = 0; i < force.size(); ++i) {
-        sum.power += force[i] * velocity[i];
-        sum.magnitude += std::abs(force[i]);
-        sum.resultant[static_cast<std::size_t>(i % components)] += force[i];
+    for (int lane = 0; i < end; ++i, ++lane) {
+        power[lane] += force[i] * velocity[i];
+        magnitude[lane] += std::abs(force[i]);
+        resultant[lane] += force[i];
     }
-    return sum;
+    ForceSums sums;
+    for (int lane = 0; lane < lanes; ++lane) {
+        sums.power += power[lane];
+        sums.magnitude += magnitude[lane];
+        sums.resultant[static_cast<std::size_t>(lane % components)] += resultant[lane];
+    }
+    return sums;
 }
 
 }  // namespace
 
-MomentumSums sum_up(const MomentumForces& forces, const ConstVectorMap& velocity, int components) {
-    const auto nodes = velocity.size() / components;
-    MomentumSums sums = components == 2 ? sum_over_nodes<2>(forces, velocity.data(), nodes)
-                                        : sum_over_nodes<3>(forces, velocity.data(), nodes);
-    sums.spring = sum_of(forces.spring, velocity, components);
+ForceSums sum_up(const double* force, const double* velocity, int components, fem::NodeRange range) {
+    return components == 2 ? sum_over<2>(force, velocity, range) : sum_over<3>(force, velocity, range);
+}
+
+ForceSums sum_up(const double* force, const double* velocity, int components,
+                 std::span<const std::int32_t> nodes) {
+    ForceSums sums;
+    for (const std::int32_t node : nodes) {
+        fem::add_doubles(sums, sum_up(force, velocity, components, {node, node + 1}));
+    }
     return sums;
 }
 

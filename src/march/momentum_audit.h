@@ -2,20 +2,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 
+#include "fem/block_rows.h"
 #include "march/audit_limit.h"
 #include "march/state.h"
-#include "march/vectors.h"
 
 namespace thermocontact::march {
-
-/// Nodal forces of the discrete balance [nodes][components]:
-/// inertia + viscous + elastic - thermal + compliance + friction + spring - load = reaction (on prescribed
-/// dofs, else 0); elastic and spring force enter the energy audit through their energies. `spring` is empty
-/// without springs.
-struct MomentumForces {
-    ConstVectorMap inertia, viscous, thermal, compliance, friction, load, reaction, spring;
-};
 
 /// One force summed over the nodes.
 struct ForceSums {
@@ -24,6 +17,9 @@ struct ForceSums {
     std::array<double, 3> resultant{};  ///< N
 };
 
+/// The discrete balance: inertia + viscous + elastic - thermal + compliance + friction + spring - load =
+/// reaction (on prescribed dofs, else 0); elastic and spring force enter the energy audit through their
+/// energies.
 struct MomentumSums {
     ForceSums inertia, viscous, thermal, compliance, friction, load, reaction, spring;
     double foundation_power = 0;  ///< of sigma_t with v_F, W: what moving foundations do on the body
@@ -31,8 +27,12 @@ struct MomentumSums {
     double spring_parts = 0;      ///< sum of |K_s u| over them, N (model/springs.h)
 };
 
-/// Sums of all forces in one pass over the nodes; velocity [nodes][components].
-MomentumSums sum_up(const MomentumForces& forces, const ConstVectorMap& velocity, int components);
+/// Sums over the nodes of a range; force and velocity [nodes][components].
+ForceSums sum_up(const double* force, const double* velocity, int components, fem::NodeRange range);
+
+/// The same over the listed nodes.
+ForceSums sum_up(const double* force, const double* velocity, int components,
+                 std::span<const std::int32_t> nodes);
 
 /// Energies before and after the step (J), and the parts that the scheme dissipates by itself.
 struct Energies {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "march/momentum.h"
+#include "march/vectors.h"
 #include "stopwatch.h"
 
 namespace thermocontact::march {
@@ -10,22 +11,28 @@ namespace {
 
 /// What the scheme dissipates at one unknown, twice: `motion` is the change of the value over the step,
 /// `force` that of the force, `carried` the force of y_hat less that of y (momentum_audit.h).
-double twice_dissipated(const StepRule& rule, double motion, double stage, double force, double carried) {
+inline double twice_dissipated(const StepRule& rule, double motion, double stage, double force,
+                               double carried) {
     const double lambda = rule.tau / (rule.alpha * rule.step);
     return (2 * rule.alpha - 1) * motion * force +
            2 * stage * ((1 / lambda - 1) * force - carried / (lambda * rule.alpha));
 }
 
+/// u_n - u_(n-1); of a body that has moved far, the difference would have fewer digits.
+inline double motion_over(const StepRule& rule, double stage_velocity, double base, double old) {
+    return (rule.tau * stage_velocity + (base - old)) / rule.alpha;
+}
+
+/// M times the rate at the stage, from M w at the begin and at the end of the step and M w_hat.
+inline double inertia_of(const StepRule& rule, double old, double now, double base) {
+    return (rule.alpha * (now - old) - (base - old)) / rule.tau;
+}
+
 }  // namespace
 
-MomentumForces Momentum::collect_forces() {
+void Momentum::collect_boundary_forces() {
     balance_->contact().nodal_forces("compliance", compliance_);
     balance_->contact().nodal_forces("friction", friction_);
-    const std::vector<double>& base_mass_w = base().mass_w;
-    for (std::size_t i = 0; i < inertia_.size(); ++i) {
-        const double mass_change = now_.mass_w[i] - old_.mass_w[i];
-        inertia_[i] = (rule_.alpha * mass_change - (base_mass_w[i] - old_.mass_w[i])) / rule_.tau;
-    }
     if (!springs_.empty()) {
         std::ranges::fill(spring_, 0.0);
         springs_.add_forces(1, stage_displacement_, spring_);
@@ -34,67 +41,112 @@ MomentumForces Momentum::collect_forces() {
         const auto i = static_cast<std::size_t>(dof);
         const double elastic =
             old_.stiffness_u[i] + rule_.alpha * (now_.stiffness_u[i] - old_.stiffness_u[i]);
+        const double inertia = inertia_of(rule_, old_.mass_w[i], now_.mass_w[i], base().mass_w[i]);
         reaction_[i] =
-            inertia_[i] + viscous_[i] + elastic - thermal_[i] + compliance_[i] + friction_[i] - (*load_)[i];
+            inertia + viscous_[i] + elastic - thermal_[i] + compliance_[i] + friction_[i] - (*load_)[i];
         reaction_[i] += springs_.empty() ? 0.0 : spring_[i];
     }
-    const auto view = [](const std::vector<double>& v) { return as_eigen(v); };
-    return {view(inertia_),  view(viscous_), view(thermal_),  view(compliance_),
-            view(friction_), view(*load_),   view(reaction_), view(spring_)};
 }
 
-/// Displacements are taken less that of the first node: a shift has no energy, but times the sum of K u,
-/// which is round-off, it may be more than all there is in a stiff body far from where it was meshed.
-Energies Momentum::energies(const State& old) const {
-    Energies sums;  // at shared nodes each process holds a part of M w and K u, so that the sums add up
-    const Products& base = this->base();
+/// Displacements are taken less their mean: a shift has no energy, but times the sum of K u, which is
+/// round-off, it may be more than all there is in a stiff body far from where it was meshed. At shared nodes
+/// each process holds a part of M w and K u, so that the sums add up.
+Momentum::BodySums Momentum::sums_over(fem::NodeRange range, const State& old) {
     const auto d = static_cast<std::size_t>(dimension_);
-    for (std::size_t i = 0, c = 0; i < stage_velocity_.size(); ++i, c = c + 1 < d ? c + 1 : 0) {
-        const double mass_change = now_.mass_w[i] - old_.mass_w[i],
-                     stiffness_change = now_.stiffness_u[i] - old_.stiffness_u[i];
-        const double motion = motion_of(i, old);
-        sums.kinetic_old += old.velocity[i] * old_.mass_w[i];
-        sums.kinetic += new_velocity_[i] * now_.mass_w[i];
-        sums.kinetic_numerical +=
-            twice_dissipated(rule_, new_velocity_[i] - old.velocity[i], stage_velocity_[i], mass_change,
-                             base.mass_w[i] - old_.mass_w[i]);
-        sums.strain_old += (old.displacement[i] - old.displacement[c]) * old_.stiffness_u[i];
-        sums.strain += (new_displacement_[i] - new_displacement_[c]) * now_.stiffness_u[i];
-        sums.stored += std::abs(new_displacement_[i] * now_.stiffness_u[i]);
-        sums.strain_numerical +=
-            twice_dissipated(rule_, motion, stage_displacement_[i] - stage_displacement_[c], stiffness_change,
-                             base.stiffness_u[i] - old_.stiffness_u[i]);
+    const StepRule rule = rule_;
+    const double *w_old = old.velocity.data(), *w = new_velocity_.data(), *w_stage = stage_velocity_.data(),
+                 *u_old = old.displacement.data(), *u = new_displacement_.data(),
+                 *u_hat = base_displacement_.data(), *mass_old = old_.mass_w.data(),
+                 *mass = now_.mass_w.data(), *mass_hat = base().mass_w.data(),
+                 *stiff_old = old_.stiffness_u.data(), *stiff = now_.stiffness_u.data(),
+                 *stiff_hat = base().stiffness_u.data(), *shape_old = old_.deformation.data(),
+                 *shape = now_.deformation.data();
+    double* inertia = inertia_.data();
+    double kinetic_old = 0, kinetic = 0, kinetic_numerical = 0, strain_old = 0, strain = 0,
+           strain_numerical = 0, stored = 0, momentum = 0;
+#pragma omp simd reduction(+ : kinetic_old, kinetic, kinetic_numerical, strain_old, strain, \
+                               strain_numerical, stored, momentum)
+    for (std::size_t i = static_cast<std::size_t>(range.begin) * d;
+         i < static_cast<std::size_t>(range.end) * d; ++i) {
+        const double shape_stage = shape_old[i] + rule.alpha * (shape[i] - shape_old[i]);
+        kinetic_old += w_old[i] * mass_old[i];
+        kinetic += w[i] * mass[i];
+        kinetic_numerical += twice_dissipated(rule, w[i] - w_old[i], w_stage[i], mass[i] - mass_old[i],
+                                              mass_hat[i] - mass_old[i]);
+        strain_old += shape_old[i] * stiff_old[i];
+        strain += shape[i] * stiff[i];
+        strain_numerical +=
+            twice_dissipated(rule, motion_over(rule, w_stage[i], u_hat[i], u_old[i]), shape_stage,
+                             stiff[i] - stiff_old[i], stiff_hat[i] - stiff_old[i]);
+        stored += std::abs(u[i] * stiff[i]);
+        momentum += std::abs(mass[i]);
+        inertia[i] = inertia_of(rule, mass_old[i], mass[i], mass_hat[i]);
     }
-    for (double Energies::*sum : {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical,
-                                  &Energies::strain_old, &Energies::strain, &Energies::strain_numerical}) {
-        sums.*sum /= 2;
+    const auto of = [&](const std::vector<double>& force) {
+        return sum_up(force.data(), w_stage, dimension_, range);
+    };
+    return {{.kinetic_old = kinetic_old / 2,
+             .kinetic = kinetic / 2,
+             .kinetic_numerical = kinetic_numerical / 2,
+             .strain_old = strain_old / 2,
+             .strain = strain / 2,
+             .strain_numerical = strain_numerical / 2,
+             .stored = stored},
+            of(inertia_),
+            of(viscous_),
+            of(thermal_),
+            of(*load_),
+            momentum};
+}
+
+/// Forces that act at few nodes.
+void Momentum::add_boundary(MomentumSums& sums) {
+    const auto at = [&](const std::vector<double>& force, const std::vector<std::int32_t>& nodes) {
+        return sum_up(force.data(), stage_velocity_.data(), dimension_, nodes);
+    };
+    sums.compliance = at(compliance_, contact_nodes_);
+    sums.friction = at(friction_, contact_nodes_);
+    sums.reaction = at(reaction_, prescribed_nodes_);
+    sums.foundation_power = balance_->contact().power_of_foundations();
+}
+
+void Momentum::add_springs(Energies& energies, MomentumSums& sums, const State& old) {
+    if (springs_.empty()) {
+        return;
     }
     const model::Springs::Work work =
         springs_.work({old.displacement, stage_displacement_, new_displacement_,
                        [&](std::size_t i) { return motion_of(i, old); },
                        [&](std::size_t i) { return rule_.step * stage_velocity_[i]; }});
-    sums.spring_old = work.old;
-    sums.spring = work.now;
-    sums.spring_numerical = work.numerical;
-    sums.anchors = work.of_anchors;
-    sums.stored += springs_.parts(new_displacement_).energy;
-    return team_->summed(sums);
+    energies.spring_old = work.old;
+    energies.spring = work.now;
+    energies.spring_numerical = work.numerical;
+    energies.anchors = work.of_anchors;
+    energies.stored += springs_.parts(new_displacement_).energy;
+    sums.spring_parts = springs_.parts(stage_displacement_).force;
+    const auto nodes = static_cast<std::int32_t>(spring_.size()) / dimension_;
+    sums.spring = sum_up(spring_.data(), stage_velocity_.data(), dimension_, {0, nodes});
 }
 
-/// u_n - u_(n-1); of a body that has moved far, the difference would have fewer digits.
 double Momentum::motion_of(std::size_t i, const State& old) const {
-    return (rule_.tau * stage_velocity_[i] + (base_displacement_[i] - old.displacement[i])) / rule_.alpha;
+    return motion_over(rule_, stage_velocity_[i], base_displacement_[i], old.displacement[i]);
 }
 
 void Momentum::examine(const State& state, double limit) {
     timed(audit_seconds_, [&] {
         apply_to_new_state();
-        const MomentumForces forces = collect_forces();
-        MomentumSums sums = sum_up(forces, as_eigen(std::as_const(stage_velocity_)), dimension_);
-        sums.foundation_power = balance_->contact().power_of_foundations();
-        sums.momentum_rate = as_eigen(std::as_const(now_.mass_w)).lpNorm<1>() / rule_.tau;
-        step_energies_ = energies(state);
-        sums.spring_parts = springs_.parts(stage_displacement_).force;
+        collect_boundary_forces();
+        BodySums body =
+            traversal_.sum<BodySums>([&](fem::NodeRange range) { return sums_over(range, state); });
+        MomentumSums sums;
+        sums.inertia = body.inertia;
+        sums.viscous = body.viscous;
+        sums.thermal = body.thermal;
+        sums.load = body.load;
+        sums.momentum_rate = body.momentum / rule_.tau;
+        add_boundary(sums);
+        add_springs(body.energies, sums, state);
+        step_energies_ = team_->summed(body.energies);
         step_sums_ = team_->summed(sums);
     });
     const Audit energy = audit_energy(step_energies_, step_sums_, rule_.step);

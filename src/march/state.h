@@ -1,6 +1,7 @@
 /// The unknowns at one instant, and what a step reports about them.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <string>
 #include <type_traits>
@@ -10,6 +11,9 @@
 namespace thermocontact::march {
 
 using Nodal = std::vector<double>;  ///< [nodes][components]
+
+constexpr int course_order = 3;  ///< of the polynomial that continues a field
+using PastValues = std::array<Nodal, course_order>;
 
 /// Nodal fields of absent physics are empty.
 struct State {
@@ -27,10 +31,11 @@ struct State {
     double last_step = 0;  ///< size of the step that left them, s; 0: there are none
     Nodal displacement_rate, velocity_rate, temperature_rate;
 
-    /// Where the fields are going (course.h), [nodes][components][order]; empty where no strategy asks.
+    /// Where the fields are coming from (course.h): values at the begins of the last steps, the latest first;
+    /// empty where no strategy asks.
     double even_step = 0;  ///< size of the last steps, s
     int even_steps = 0;    ///< how many were that long, up to what course.h has a use for
-    Nodal velocity_differences, temperature_differences;
+    PastValues past_velocity, past_temperature;
 
     /// What the control of adaptive steps goes on with (step_error.h, step_control.h); unused without.
     int halvings = 0;          ///< of the scene's step, to the size that is tried next
@@ -50,10 +55,10 @@ template <typename AnyState, typename Visit>
 requires std::same_as<std::remove_const_t<AnyState>, State>
 void visit_members(AnyState& state, Visit&& visit) {
     auto& [step, time, displacement, velocity, temperature, friction_multiplier, last_step, displacement_rate,
-           velocity_rate, temperature_rate, even_step, even_steps, velocity_differences,
-           temperature_differences, halvings, since_change, curvature_lag, displacement_curvature,
-           velocity_curvature, temperature_curvature, displacement_scale, deformation_scale, velocity_scale,
-           temperature_scale, deformation_energy, heat_energy] = state;
+           velocity_rate, temperature_rate, even_step, even_steps, past_velocity, past_temperature, halvings,
+           since_change, curvature_lag, displacement_curvature, velocity_curvature, temperature_curvature,
+           displacement_scale, deformation_scale, velocity_scale, temperature_scale, deformation_energy,
+           heat_energy] = state;
     visit("step", step);
     visit("time", time);
     visit("displacement", displacement);
@@ -66,8 +71,10 @@ void visit_members(AnyState& state, Visit&& visit) {
     visit("temperature_rate", temperature_rate);
     visit("even_step", even_step);
     visit("even_steps", even_steps);
-    visit("velocity_differences", velocity_differences);
-    visit("temperature_differences", temperature_differences);
+    for (std::size_t i = 0; i < course_order; ++i) {
+        visit("velocity_" + std::to_string(i + 1) + "_before", past_velocity[i]);
+        visit("temperature_" + std::to_string(i + 1) + "_before", past_temperature[i]);
+    }
     visit("halvings", halvings);
     visit("since_change", since_change);
     visit("curvature_lag", curvature_lag);

@@ -1,5 +1,7 @@
 #include "march/step_rule.h"
 
+#include <algorithm>
+
 namespace thermocontact::march {
 
 Scheme::Scheme(const scene::TimeSpec& time)
@@ -17,13 +19,13 @@ StepRule Scheme::rule(double begin, double end, double step, double last_step) c
 }
 
 void extrapolate(double seconds, const std::vector<double>& y, const std::vector<double>& q,
-                 std::vector<double>& result) {
-    result = y;
-    if (seconds == 0) {
+                 std::ptrdiff_t begin, std::ptrdiff_t end, std::vector<double>& result) {
+    if (seconds == 0 || q.empty()) {
+        std::copy(y.begin() + begin, y.begin() + end, result.begin() + begin);
         return;
     }
-    for (std::size_t i = 0; i < q.size(); ++i) {
-        result[i] += seconds * q[i];
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        result[i] = y[i] + seconds * q[i];
     }
 }
 

@@ -20,6 +20,7 @@
 /// order of the global one.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "scene/scene.h"
@@ -64,9 +65,9 @@ class Scheme {
     bool second_order_, estimates_;
 };
 
-/// y + seconds * q, or y itself where there is no q.
+/// y + seconds * q, or y itself where there is no q, from place `begin` on, before `end`.
 void extrapolate(double seconds, const std::vector<double>& y, const std::vector<double>& q,
-                 std::vector<double>& result);
+                 std::ptrdiff_t begin, std::ptrdiff_t end, std::vector<double>& result);
 
 /// The rate q for the step after the one from y to y_new.
 void renew_rate(const StepRule& rule, const std::vector<double>& y, const std::vector<double>& y_new,

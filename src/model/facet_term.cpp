@@ -330,6 +330,19 @@ void FacetTerm::nodal_forces(std::string_view name, std::vector<double>& forces)
     }
 }
 
+std::vector<std::int32_t> FacetTerm::nodes_with_forces() const {
+    std::vector<std::int32_t> nodes;
+    for (const Law& law : laws_) {
+        for (const mesh::Facet& facet : *law.facets) {
+            const auto of_cell = space_->dofmap.of(facet.cell);
+            nodes.insert(nodes.end(), of_cell.begin(), of_cell.end());
+        }
+    }
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
 double FacetTerm::power_of_foundations() {
     double power = 0;
     for (const Law& law : laws_) {

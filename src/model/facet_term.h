@@ -94,6 +94,9 @@ class FacetTerm : public solve::NonlinearTerm {
     /// dofs included. Writes only on the law's surfaces: elsewhere `forces` is zero already.
     void nodal_forces(std::string_view name, std::vector<double>& forces);
 
+    /// The nodes that nodal_forces() writes to, ascending.
+    std::vector<std::int32_t> nodes_with_forces() const;
+
     /// What foundations that move do on the body by friction, at the current unknown: integral of
     /// sigma_t.v_F, W; this part's only.
     double power_of_foundations();

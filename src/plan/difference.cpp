@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "march/vectors.h"
 #include "mesh/shapes.h"
 
 namespace thermocontact::plan {

@@ -62,9 +62,8 @@ class Condensed : public Strategy {
         : orders_(std::move(orders)), storage_(storage) {}
     std::string name() const override { return "condensed"; }
     const parallel::Team& team() const override { return alone_; }
-    void beside(std::span<const std::function<void()>> tasks) const override {
-        workers_->run(static_cast<int>(tasks.size()),
-                      [&](int number) { tasks[static_cast<std::size_t>(number)](); });
+    void beside(int count, const std::function<void(int)>& task) const override {
+        workers_->run(count, task);
     }
     bool starts_matter() const override { return storage_ == Storage::words; }
     std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) override;

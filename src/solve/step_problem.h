@@ -90,11 +90,11 @@ class Strategy {
     virtual ~Strategy() = default;
     virtual std::string name() const = 0;
 
-    /// Calls each task once, beside each other where the strategy has threads. Tasks must not throw, nor call
-    /// a team.
-    virtual void beside(std::span<const std::function<void()>> tasks) const {
-        for (const std::function<void()>& task : tasks) {
-            task();
+    /// Calls task(0) to task(count - 1), each once, beside each other where the strategy has threads. Tasks
+    /// must not throw, nor call a team.
+    virtual void beside(int count, const std::function<void(int)>& task) const {
+        for (int number = 0; number < count; ++number) {
+            task(number);
         }
     }
 

@@ -9,16 +9,18 @@ StepRule step(double begin, double length, double alpha = 1.0) {
     return {begin, begin + length, length, alpha, alpha * length, -1.0, 1.0, 1};
 }
 
-/// One field through steps of given lengths from 0, as a simulation takes them.
+/// One field of two nodes through steps of given lengths from 0, as a simulation takes them.
 struct Course {
     State state;
-    Nodal differences;
+    PastValues past;
 
     template <typename Field>
     void go(Field&& field, const std::vector<double>& lengths) {
         for (const double length : lengths) {
             const StepRule rule = step(state.time, length);
-            renew_course(rule, state, field(rule.begin), field(rule.end), differences);
+            Nodal value = field(rule.begin), next = field(rule.end);
+            renew_course(past, value, next);
+            EXPECT_EQ(value, field(rule.end));
             state.even_steps = even_steps(rule, state);
             state.even_step = length;
             state.time = rule.end;
@@ -27,7 +29,11 @@ struct Course {
     template <typename Field>
     Nodal next(Field&& field, double length, double alpha = 1.0, const std::vector<char>& fixed = {0, 0}) {
         Nodal stage{-7, -7};
-        follow_course(step(state.time, length, alpha), state, field(state.time), differences, fixed, stage);
+        if (const auto weights = course_weights(step(state.time, length, alpha), state, past)) {
+            follow_course(*weights, field(state.time), past, fixed, {0, 1}, 1, stage);
+            EXPECT_EQ(stage[1], -7) << "beyond the range";
+            follow_course(*weights, field(state.time), past, fixed, {1, 2}, 1, stage);
+        }
         return stage;
     }
 };

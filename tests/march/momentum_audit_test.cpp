@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "support/dense.h"
 
 namespace thermocontact::march {
@@ -9,20 +12,13 @@ namespace {
 
 using support::vector;
 
-/// Forces with memory of their own; the audit takes views.
-struct OwnedForces {
+struct Forces {
     Eigen::VectorXd inertia, viscous, elastic, thermal, compliance, friction, load, reaction, spring;
-
-    operator MomentumForces() const {
-        const auto view = [](const Eigen::VectorXd& v) { return ConstVectorMap(v.data(), v.size()); };
-        return {view(inertia),  view(viscous), view(thermal),  view(compliance),
-                view(friction), view(load),    view(reaction), view(spring)};
-    }
 };
 
 /// One node with two components, numbers chosen to balance.
-OwnedForces balanced() {
-    OwnedForces forces;
+Forces balanced() {
+    Forces forces;
     forces.inertia = vector({1, -2});
     forces.viscous = vector({0.5, 0.25});
     forces.elastic = vector({2, 3});
@@ -39,12 +35,16 @@ OwnedForces balanced() {
 constexpr double step = 0.5;
 const Eigen::VectorXd velocity = vector({2, -1});
 
-MomentumSums sums_of(const OwnedForces& forces, const Eigen::VectorXd& w = velocity) {
-    return sum_up(forces, {w.data(), w.size()}, 2);
+MomentumSums sums_of(const Forces& forces, const Eigen::VectorXd& w = velocity) {
+    const auto of = [&](const Eigen::VectorXd& force) {
+        return sum_up(force.data(), w.data(), 2, {0, static_cast<std::int32_t>(w.size()) / 2});
+    };
+    return {of(forces.inertia),  of(forces.viscous), of(forces.thermal),  of(forces.compliance),
+            of(forces.friction), of(forces.load),    of(forces.reaction), of(forces.spring)};
 }
 
 /// Energies whose change is the work of inertia and elasticity over the step.
-Energies energies_of(const OwnedForces& forces) {
+Energies energies_of(const Forces& forces) {
     Energies energies;
     energies.kinetic_old = 3;
     energies.strain_old = 2;
@@ -60,12 +60,12 @@ Energies energies_of(const OwnedForces& forces) {
 }
 
 TEST(EnergyAudit, VanishesWhereTheForcesBalance) {
-    const OwnedForces forces = balanced();
+    const Forces forces = balanced();
     EXPECT_LE(audit_energy(energies_of(forces), sums_of(forces), step).residual(), 1e-15);
 }
 
 TEST(EnergyAudit, SeesEveryTerm) {
-    const OwnedForces forces = balanced();
+    const Forces forces = balanced();
     const Energies energies = energies_of(forces);
     for (double Energies::*term :
          {&Energies::kinetic_old, &Energies::kinetic, &Energies::kinetic_numerical, &Energies::strain_old,
@@ -75,20 +75,53 @@ TEST(EnergyAudit, SeesEveryTerm) {
         wrong.*term += 0.01;
         EXPECT_GT(audit_energy(wrong, sums_of(forces), step).residual(), 1e-4);
     }
-    for (Eigen::VectorXd OwnedForces::*term :
-         {&OwnedForces::viscous, &OwnedForces::thermal, &OwnedForces::compliance, &OwnedForces::friction,
-          &OwnedForces::load, &OwnedForces::reaction}) {
-        OwnedForces wrong = forces;
+    for (Eigen::VectorXd Forces::*term : {&Forces::viscous, &Forces::thermal, &Forces::compliance,
+                                          &Forces::friction, &Forces::load, &Forces::reaction}) {
+        Forces wrong = forces;
         (wrong.*term)[0] += 0.01;
         EXPECT_GT(audit_energy(energies, sums_of(wrong), step).residual(), 1e-4);
     }
 }
 
+/// Of as many nodes as there are not side by side, and of some of them.
+TEST(ForceSums, AreThoseOfOneNodeAfterTheOther) {
+    for (const int components : {2, 3}) {
+        const std::int32_t nodes = 11;
+        const auto count = static_cast<std::size_t>(nodes * components);
+        const std::vector<double> force = support::random_numbers(count, 1),
+                                  w = support::random_numbers(count, 2);
+        const auto sums_over = [&](const std::vector<std::int32_t>& some) {
+            ForceSums sums;
+            for (const std::int32_t node : some) {
+                for (int c = 0; c < components; ++c) {
+                    const auto i = static_cast<std::size_t>(node * components + c);
+                    sums.power += force[i] * w[i];
+                    sums.magnitude += std::abs(force[i]);
+                    sums.resultant[static_cast<std::size_t>(c)] += force[i];
+                }
+            }
+            return sums;
+        };
+        // of as many numbers of size 1, in another order
+        const double rounding = static_cast<double>(count * count) * std::numeric_limits<double>::epsilon();
+        const auto expect_equal = [&](const ForceSums& found, const ForceSums& expected) {
+            EXPECT_NEAR(found.power, expected.power, rounding);
+            EXPECT_NEAR(found.magnitude, expected.magnitude, rounding);
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(found.resultant[c], expected.resultant[c], rounding);
+            }
+        };
+        expect_equal(sum_up(force.data(), w.data(), components, fem::NodeRange{1, nodes}),
+                     sums_over({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+        const std::vector<std::int32_t> some{0, 4, 10};
+        expect_equal(sum_up(force.data(), w.data(), components, some), sums_over(some));
+    }
+}
+
 TEST(ForceAudit, SumsEachComponent) {
     const Eigen::VectorXd rest = vector({0, 0, 0, 0});
-    OwnedForces forces;
-    for (Eigen::VectorXd OwnedForces::*term :
-         {&OwnedForces::viscous, &OwnedForces::elastic, &OwnedForces::thermal}) {
+    Forces forces;
+    for (Eigen::VectorXd Forces::*term : {&Forces::viscous, &Forces::elastic, &Forces::thermal}) {
         forces.*term = vector({1, 2, -1, -2});  // internal forces sum to zero
     }
     forces.inertia = vector({1, 2, 3, 4});
@@ -108,9 +141,9 @@ TEST(ForceAudit, SumsEachComponent) {
     forces.reaction[3] += 0.5;
     EXPECT_DOUBLE_EQ(audit_forces(sums_of(forces, rest), 2).residual(),
                      0.5 / (51.5 + worth_of_round_off(12)));
-    for (Eigen::VectorXd OwnedForces::*term :
-         {&OwnedForces::inertia, &OwnedForces::viscous, &OwnedForces::thermal, &OwnedForces::compliance,
-          &OwnedForces::friction, &OwnedForces::spring, &OwnedForces::load, &OwnedForces::reaction}) {
+    for (Eigen::VectorXd Forces::*term :
+         {&Forces::inertia, &Forces::viscous, &Forces::thermal, &Forces::compliance, &Forces::friction,
+          &Forces::spring, &Forces::load, &Forces::reaction}) {
         forces.*term = rest;
     }
     EXPECT_EQ(audit_forces(sums_of(forces, rest), 2).residual(), 0.0) << "nothing happens";

@@ -8,8 +8,32 @@ namespace thermocontact::march {
 namespace {
 
 TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
-    State state{3,    0.25, {1, 2}, {3, 4}, {5},      {20, 21}, 0.1,  {6, 7}, {8, 9}, {10}, 0.2, 4,  {22},
-                {23}, 2,    5,      0.3,    {11, 12}, {13, 14}, {15}, 16,     17,     18,   19,  24, 25};
+    State state{3,
+                0.25,
+                {1, 2},
+                {3, 4},
+                {5},
+                {20, 21},
+                0.1,
+                {6, 7},
+                {8, 9},
+                {10},
+                0.2,
+                4,
+                {Nodal{22}, Nodal{26}, Nodal{27}},
+                {Nodal{23}, Nodal{28}, Nodal{29}},
+                2,
+                5,
+                0.3,
+                {11, 12},
+                {13, 14},
+                {15},
+                16,
+                17,
+                18,
+                19,
+                24,
+                25};
     std::vector<std::string> names;
     visit_members(std::as_const(state), [&](const std::string& name, const auto&) { names.push_back(name); });
     EXPECT_EQ(names, (std::vector<std::string>{"step",
@@ -24,8 +48,12 @@ TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
                                                "temperature_rate",
                                                "even_step",
                                                "even_steps",
-                                               "velocity_differences",
-                                               "temperature_differences",
+                                               "velocity_1_before",
+                                               "temperature_1_before",
+                                               "velocity_2_before",
+                                               "temperature_2_before",
+                                               "velocity_3_before",
+                                               "temperature_3_before",
                                                "halvings",
                                                "since_change",
                                                "curvature_lag",
@@ -46,6 +74,8 @@ TEST(State, EveryMemberIsVisitedOnceAndCanBeSet) {
     EXPECT_TRUE(state.friction_multiplier.empty());
     EXPECT_TRUE(state.displacement_rate.empty() && state.velocity_rate.empty() &&
                 state.temperature_rate.empty());
+    EXPECT_EQ(state.past_velocity, PastValues());
+    EXPECT_EQ(state.past_temperature, PastValues());
     EXPECT_EQ(state.halvings, 0);
     EXPECT_EQ(state.since_change, 0);
     EXPECT_EQ(state.curvature_lag, 0);

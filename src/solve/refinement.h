@@ -16,6 +16,10 @@
 /// dA_ij = r_i / w_j, with j where the second maximum is and 0 elsewhere, makes w exact, and no dA within a
 /// smaller bound has entries that reach r_i by fewer than all of a row's unknowns. It is the same for an
 /// unknown in any units.
+///
+/// Passes contract as long as the factor can be made at all: dA = dL L^T + L dL^T, and for the vector v of
+/// the smallest eigenvalue lambda |L^T v|^2 = lambda |v|^2, so that what is left of a correction along v is
+/// v^T dA v/lambda = 2 |dL|/lambda^(1/2), some 2^-32 (cond A)^(1/2).
 #pragma once
 
 #include <span>

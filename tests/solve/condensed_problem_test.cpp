@@ -99,6 +99,41 @@ TEST_F(OneBalance, AFactorInWordsGivesTheSolutionOfDoubles) {
     EXPECT_EQ(other->factor_use().corrections, before) << "a start value at the solution needs one pass";
 }
 
+/// A factor in words contracts wherever doubles can factor (refinement.h). Here it is one of half the matrix:
+/// corrections take nothing off.
+TEST_F(OneBalance, AFactorThatIsTooCoarseMakesWayForDoubles) {
+    fem::BlockMatrix A = matrix;
+    const auto one = problem(in_words, A);
+    EXPECT_FALSE(one->kept_derivative()) << "nothing is known before the first step";
+    for (double& value : A.values) {
+        value *= 2;
+    }
+    const std::vector<double> rhs = support::random_numbers(at.node_count(), 3);
+    const std::vector<double> start(at.node_count(), 0.0);
+    const Eigen::VectorXd expected = support::as_vector(solve(*problem(strategy, A), rhs, start));
+    const auto expect_solved = [&](const std::vector<double>& solution) {
+        EXPECT_LE((support::as_vector(solution) - expected).norm(), 1e-12 * expected.norm());
+    };
+    expect_solved(solve(*one, rhs, start));
+    EXPECT_TRUE(one->factor_use().too_coarse);
+    EXPECT_FALSE(one->factor_use().single);
+    const int corrections = one->factor_use().corrections;
+    expect_solved(solve(*one, rhs, start));
+    EXPECT_EQ(one->factor_use().corrections, corrections) << "doubles need no corrections";
+
+    const auto kept = one->kept_derivative();
+    ASSERT_TRUE(kept);
+    EXPECT_TRUE(kept->in_doubles);
+    const auto resumed = problem(in_words, A);
+    resumed->take_up(*kept);
+    EXPECT_TRUE(resumed->factor_use().too_coarse) << "a restart goes on with doubles";
+    expect_solved(solve(*resumed, rhs, start));
+
+    const auto other = problem(in_words, A);
+    expect_solved(solve(*other, rhs, start));
+    EXPECT_TRUE(other->factor_use().single) << "that of the matrix itself is not too coarse";
+}
+
 /// cond(T, x) over all unknowns, contact and others, from the condensed factors: within Hager's factor of 3
 /// of the dense one.
 TEST_F(OneBalance, ConditionIsThatOfTheWholeSystem) {

@@ -300,6 +300,22 @@ MUTATIONS = (
         "what words leave is corrected",
     ),
     Mutation(
+        "words-never-left",
+        "src/solve/condensed_problem.cpp",
+        "if (!(error < least_contraction * before)) {",
+        "if (!(error < least_contraction * before) && !correction_) {",
+        "missing",
+        "a factor in words that is too coarse makes way for doubles",
+    ),
+    Mutation(
+        "words-left-is-kept",
+        "src/solve/condensed_problem.cpp",
+        "kept->in_doubles = true;",
+        "kept->in_doubles = false;",
+        "state",
+        "a restart goes on with doubles where words were too coarse",
+    ),
+    Mutation(
         "secants-last",
         "src/solve/secants.cpp",
         "step /= 1 - share;",

@@ -524,14 +524,6 @@ MUTATIONS = (
         "multipliers end by their own change, not where Newton's method has nothing to do",
     ),
     Mutation(
-        "audit-deformation",
-        "src/march/momentum_balances.cpp",
-        "strain += shape[i] * stiff[i];",
-        "strain += u[i] * stiff[i];",
-        "missing",
-        "the energy of a stiff body far away is that of its deformation",
-    ),
-    Mutation(
         "audit-body-thermal",
         "src/march/momentum_balances.cpp",
         "sums.thermal = body.thermal;",

@@ -349,7 +349,7 @@ MUTATIONS = (
     ),
     Mutation(
         "simulation-restart",
-        "src/march/simulation.cpp",
+        "src/march/simulation_snapshot.cpp",
         "        momentum_->restart(state_);\n",
         "        static_cast<void>(state_);\n",
         "state",
@@ -357,7 +357,7 @@ MUTATIONS = (
     ),
     Mutation(
         "simulation-restored-surfaces",
-        "src/march/simulation.cpp",
+        "src/march/simulation_snapshot.cpp",
         "model::update(surfaces_, part_.space, state_.time);",
         "static_cast<void>(state_.time);",
         "state",

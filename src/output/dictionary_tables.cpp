@@ -22,7 +22,8 @@ Quantities how_the_step_went() {
         {"time", "s", "Time at its end."},
         {"newton_iterations", "", "Newton iterations of the momentum balance."},
         {"heat_iterations", "", "Newton iterations of the heat balance."},
-        {"retries", "", "Solves beyond the first, of both balances: rungs of the continuation in the regularisation."},
+        {"retries", "", "Solves beyond the first, of both balances: rungs of the continuation in the regularisation; of heat also "
+         "the one that goes on from what the first left."},
         {"solves_at_round_off", "", "Solves that ended above the tolerance because round-off leaves no smaller residual."},
         {"cycles", "", "Newton iterations that were ended because contact states recurred, failed attempts included."},
         {"failed_attempts", "", "Attempts without solution: the step as a whole, or parts of it."},
@@ -160,7 +161,8 @@ Quantities solving_entries() {
     return {
         {"newton.iterations", "", "Newton iterations of all steps, both balances."},
         {"newton.max_iterations_in_a_step", "", "The most that a step took."},
-        {"newton.retries", "", "Solves beyond the first, of all steps: rungs of the continuation."},
+        {"newton.retries", "", "Solves beyond the first, of all steps: rungs of the continuation; of heat also those that go on from what "
+         "the first left."},
         {"recovery.continuation_solves", "", "The same number."},
         {"recovery.solves_at_round_off", "", "Solves that ended above the tolerance because round-off leaves no smaller residual."},
         {"recovery.largest_residual_of_these", "", "Relative; at most 1000 solver.tolerance."},

@@ -36,6 +36,24 @@ compliance = {{{compliance}}}
 friction = {{{friction}}}
 conductance = {{{conductance}}}
 """
+CONDUCTOR = """
+[forms]
+conductance = "my_law.py"
+[mesh]
+cells = [6, 5]
+[time]
+end = 0.2
+steps = 2
+[heat]
+conductivity = 1.0
+[boundary.top]
+temperature = 1.0
+[boundary.bottom.contact]
+gap = -1.0
+conductance = {coefficient = 10.0, onset = 1e-3, foundation_temperature = "9*x - 4", largest_difference = 0.5}
+[solver]
+max_iterations = 1
+"""
 NUMBERS = {
     "compliance": "stiffness = 100.0",
     "friction": "coefficient = 0.3, regularisation = 1e-2",
@@ -194,6 +212,16 @@ class LawFiles(WithLawFiles):
             self.assertGreater(self.starts(), 0)
             self.started.write_text("")
             self.assert_same(plain, own)
+
+    def test_a_width_is_what_continuation_widens(self) -> None:
+        """One iteration is too few for contact that is in places beyond its limit, also in wider steps to it."""
+        text = self.call("forms", "conductance")[1].replace('"limit"', '"largest_difference"')
+        (self.folder / "my_law.py").write_text(text)
+        path = self.folder / "scene.toml"
+        path.write_text(CONDUCTOR)
+        code, _, errors = self.call("run", path, "--quiet")
+        self.assertEqual(code, 3, errors)
+        self.assertIn("continuation in conductance.largest_difference stopped", errors)
 
     def test_two_runs_at_once(self) -> None:
         scene = self.scene("compliance", SPRING, "hardness = 100.0")

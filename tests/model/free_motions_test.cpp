@@ -18,6 +18,7 @@ const std::string plate = rest + "mesh = {upper = [2.0, 1.0], cells = [4, 2]}\n"
 const std::string box = rest + "mesh = {shape = \"box\", upper = [2.0, 1.0, 1.0], cells = [4, 2, 2]}\n";
 const std::string friction =
     "boundary.bottom.contact.friction = {coefficient = 0.3, regularisation = 1e-3}\n";
+const std::string coulomb = "boundary.bottom.contact.friction = {coefficient = 0.3, regularisation = 0}\n";
 const std::string all_of_the_plate =
     "the body is free to move along x, to move along y and to turn about (1, 0.5)";
 
@@ -141,6 +142,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"friction", plate + contact() + friction, "held"},
         Case{"one_facet", plate + contact("\"x < 0.3 ? -1 : 1\""), "the body is free to move along x"},
         Case{"open", plate + contact("1.0") + friction, all_of_the_plate},
+        Case{"exact_friction", plate + contact() + coulomb, "held"},
+        Case{"exact_friction_open", plate + contact("1.0") + coulomb, all_of_the_plate},
         Case{
             "in_space", box,
             "the body is free to move along x, to move along y, to move along z, to turn about the axis "

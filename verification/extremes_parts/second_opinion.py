@@ -90,7 +90,9 @@ def _opinion(row: "Row", driver: Driver) -> Opinion:
     rounded = _rounded_flow(row.case.scene, directory)
     excess, difference, where, bound = max(
         (difference / bound, difference, where, bound)
-        for difference, where in changes(directory, other)
+        for difference, where in changes(
+            directory, other, sticking=row.case.scene.get(f"{CONTACT}.friction.regularisation") != 0
+        )
         for bound in [allowed + (rounded if where.endswith("heat_flow") else 0.0)]
     )
     return Opinion(by, excess <= 1, f"{by}: {difference:.1e} in {where}, allowed {bound:.1e}")

@@ -23,12 +23,13 @@ def change(a: Path, b: Path) -> tuple[float, str]:
     return max(changes(a, b))
 
 
-def changes(a: Path, b: Path) -> list[tuple[float, str]]:
-    """All of them."""
+def changes(a: Path, b: Path, sticking: bool = True) -> list[tuple[float, str]]:
+    """All of them; without `sticking` not the tractions of points that stick, of which Coulomb's law itself makes only
+    the resultants unique."""
     found = [(0.0, "nothing")]
     found += _in_numbers(a, b)
     if (a / "fields.pvd").exists() and (b / "fields.pvd").exists():
-        found += _in_fields(a, b)
+        found += _in_fields(a, b, sticking)
     return found
 
 
@@ -55,7 +56,7 @@ def _relative(a: float, b: float) -> float:
     return abs(a - b) / scale if scale > NOTHING else 0.0
 
 
-def _in_fields(a: Path, b: Path) -> list[tuple[float, str]]:
+def _in_fields(a: Path, b: Path, sticking: bool) -> list[tuple[float, str]]:
     steps_a, steps_b = compare.load_steps(a), compare.load_steps(b)
     last = max(steps_a)
     differences: dict[str, float] = {}
@@ -65,6 +66,11 @@ def _in_fields(a: Path, b: Path) -> list[tuple[float, str]]:
         for part in set(parts) & set(steps_b.get(partner, {}) if partner is not None else {}):
             grid_a, grid_b = vtu.read_grid(parts[part]), vtu.read_grid(steps_b[partner][part])  # type: ignore[index]
             for name, values, others in _common(grid_a, grid_b):
+                if name == "traction" and not sticking:
+                    slips = (grid_a.point_data["state"] != compare.STICK) & (
+                        grid_b.point_data["state"] != compare.STICK
+                    )
+                    values, others = values[slips], others[slips]
                 key = f"{compare.PARTS[part]} {name}"
                 difference = float(np.abs(values - others).max(initial=0.0))
                 scale = float(max(np.abs(values).max(initial=0.0), np.abs(others).max(initial=0.0)))

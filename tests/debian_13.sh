@@ -16,10 +16,18 @@ system="$folder/system"
 ready="$folder/ready-$(sha256sum .ci/packages.sh | cut -c 1-16)"
 [ -f "$ready" ] || make_system trixie
 enter_system
-mkdir -p "$system/source"
-# the files of the repository as they stand, with their times
-find "$system/source" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
-git ls-files -z --cached --others --exclude-standard | tar --null --files-from - --create | tar -C "$system/source" --extract
+# The files of the repository as they stand. One that is as it was keeps its time, one that differs has the present time:
+# times of the repository tell nothing where the folder was filled from another clone.
+fresh="$folder/fresh" source="$system/source"
+rm -rf "$fresh" && mkdir -p "$fresh" "$source"
+git ls-files -z --cached --others --exclude-standard | tar --null --files-from - --create | tar -C "$fresh" --extract --touch
+(cd "$source" && find . -path ./build -prune -o ! -type d -print) | while read -r file; do
+    [ -e "$fresh/$file" ] || rm -f "$source/$file"
+done
+(cd "$fresh" && find . ! -type d) | while read -r file; do
+    cmp -s "$fresh/$file" "$source/$file" || { mkdir -p "$(dirname "$source/$file")" && cp "$fresh/$file" "$source/$file"; }
+done
+rm -rf "$fresh"
 [ -f "$ready" ] || inside sh -c "cd /source && apt-get update -qq && sh .ci/packages.sh ca-certificates git"
 touch "$ready"
 

@@ -2,7 +2,30 @@
 
 #include <algorithm>
 
+#include "plan/near_choice.h"
+
 namespace thermocontact::plan {
+namespace {
+
+/// As the run and the pilot that it is compared with have it.
+void offer_instead(Achieved& result, const Plan& plan, const scene::Scene& scene) {
+    const Discretisation& own = plan.chosen->discretisation;
+    Models models = near_only(plan.models);
+    std::vector<double> factors;
+    for (std::size_t c = 0; c < result.errors.size(); ++c) {
+        const double predicted = combined(plan.chosen->space[c], plan.chosen->time[c], models.sum);
+        factors.push_back(predicted > 0 ? result.errors[c] / predicted : 1.0);
+    }
+    space_of(models, own).error.correct(factors);
+    time_of(models, own).error.correct(factors);
+    constexpr double any_time = 1e12;
+    result.instead = cheapest(models, aim_of_accuracy * *plan.request.accuracy, {any_time, most_unknowns()});
+    if (result.instead) {
+        result.settings = settings(scene, result.instead->discretisation);
+    }
+}
+
+}  // namespace
 
 std::optional<Achieved> achieved(const Plan& plan, Bench& bench, const Pilot& run) {
     Comparison comparison(bench.scene(), plan.request.of);
@@ -24,6 +47,9 @@ std::optional<Achieved> achieved(const Plan& plan, Bench& bench, const Pilot& ru
         result.errors.push_back(foreseen[c] > 0 ? relative * predicted / foreseen[c] : predicted);
     }
     result.error = *std::ranges::max_element(result.errors);
+    if (plan.request.accuracy && result.error > *plan.request.accuracy) {
+        offer_instead(result, plan, bench.scene());
+    }
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "plan/bench.h"
@@ -15,6 +16,9 @@ struct Achieved {
     std::vector<double> errors;  ///< [components], relative, estimated
     double error;                ///< the largest
     bool halved;                 ///< by a pilot of half the cells and steps, not of twice as many
+    /// Where that is more than was asked for: what would meet it, from models that this run has corrected.
+    std::optional<Option> instead = {};
+    std::vector<std::string> settings = {};  ///< of that
 };
 
 /// Runs the pilot if the plan has not; nothing where it fails.

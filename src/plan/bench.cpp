@@ -4,12 +4,23 @@
 
 #include "error.h"
 #include "number.h"
+#include "plan/study.h"
 #include "scene/reader.h"
 
 namespace thermocontact::plan {
 namespace {
 
 constexpr double any_tolerance = 1e-3;
+constexpr double share_of_memory = 0.25;  ///< that one pilot may fill
+
+/// About how many unknowns a scene on a rectangle or box has.
+double unknowns_of(const scene::Scene& scene) {
+    double nodes = 1;
+    for (const int count : scene.mesh.cells) {
+        nodes *= static_cast<double>(count) * scene.degree + 1;
+    }
+    return nodes * (scene.dimension + 1);
+}
 
 std::string key_of(const Discretisation& choice) {
     return describe(choice.stepping) + " " + kind_of_mesh(choice) + " " + std::to_string(choice.scale) + " " +
@@ -55,6 +66,11 @@ const Pilot* Bench::run(const Discretisation& discretisation) {
     const auto [entry, is_new] = pilots_.try_emplace(key_of(discretisation));
     if (is_new) {
         const scene::Scene scene = plan::discretised(template_for(discretisation.stepping), discretisation);
+        if (!scene.mesh.file && unknowns_of(scene) > share_of_memory * most_unknowns()) {
+            failure_ =
+                "a pilot of " + exact_text(unknowns_of(scene)) + " unknowns would take too much memory";
+            return nullptr;
+        }
         try {
             entry->second = run_pilot(scene, discretisation, quantity_, backend_, check_);
         } catch (const NumericsError& error) {

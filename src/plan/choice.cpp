@@ -147,6 +147,11 @@ Option assess(const Models& models, const Discretisation& discretisation) {
     return option;
 }
 
+double seconds_without_output(Models models, const Discretisation& discretisation) {
+    models.frames = 0;
+    return assess(models, discretisation).seconds;
+}
+
 std::optional<Option> cheapest(const Models& models, double aim, const Limits& limits) {
     std::optional<Option> best;
     for (const SpaceModel& space : models.spaces) {

@@ -27,8 +27,9 @@ struct SpaceModel {
     ErrorCurve error;
     LogCurve setup, factor, step;  ///< s: once, a factorisation of both balances, a step
     LogCurve unknowns;
-    LogCurve frame;  ///< s to put the fields into the form of their files once
-    LogCurve end;    ///< s: digits left, judged once at the end
+    LogCurve frame;   ///< s to put the fields into the form of their files once
+    LogCurve end;     ///< s: digits left, judged once at the end
+    double near = 0;  ///< knob of the finest pilot of a ladder around a choice (near_choice.h); 0: of none
 };
 
 /// What a way to step errs by, and how many steps it takes; the knob is 1/steps, or the tolerance.
@@ -37,6 +38,7 @@ struct TimeModel {
     ErrorCurve error;
     LogCurve attempts, factorisations;
     LogCurve damped;  ///< see Pilot::damped
+    double near = 0;  ///< see SpaceModel
 };
 
 /// s, measured: to make a run's folder, checkpoints and summary; a row of the history; the files of one
@@ -78,6 +80,9 @@ std::vector<double> difference(const Models& models, const Discretisation& coars
 
 /// What the models say of one discretisation.
 Option assess(const Models& models, const Discretisation& discretisation);
+
+/// s that it takes without its output.
+double seconds_without_output(Models models, const Discretisation& discretisation);
 
 /// The discretisation of the smallest predicted time among those with an error of at most `aim`, within the
 /// limits.

@@ -26,7 +26,13 @@ struct Climbed {
     ErrorCurve error;
 };
 
-/// Where a pilot fails, the ladder begins anew with the next finer one.
+/// Of pilots refined in one direction alone, coarse to fine.
+ErrorCurve error_of(const std::vector<const Pilot*>& pilots, Comparison& comparison,
+                    const std::function<double(const Discretisation&)>& knob,
+                    const std::vector<double>& highest_orders, const std::vector<double>& lowest_orders = {});
+
+/// Where a pilot fails, the ladder begins anew with the next finer one, as long as that is not foreseen to
+/// take longer than a further pilot may.
 Climbed climb(Bench& bench, Comparison& comparison, const Climb& how);
 
 /// The errors of a ladder from what its runs differ by from the finest of `reference`, and what is left in

@@ -169,14 +169,22 @@ Discretisation coarser_in_time(Discretisation choice) {
     return choice;
 }
 
-Discretisation finer(Discretisation choice, bool refinable) {
-    choice.scale *= refinable ? 2 : 1;
+Discretisation finer_in_space(Discretisation choice) {
+    choice.scale *= 2;
+    return choice;
+}
+
+Discretisation finer_in_time(Discretisation choice) {
     if (choice.stepping.adaptive) {
         choice.tolerance /= tolerance_ratio;
     } else {
         choice.steps *= 2;
     }
     return choice;
+}
+
+Discretisation finer(Discretisation choice, bool refinable) {
+    return finer_in_time(refinable ? finer_in_space(choice) : choice);
 }
 
 std::string kind_of_mesh(int degree, const std::vector<scene::Grading>& grading) {

@@ -73,7 +73,11 @@ int coarser(int count);
 Discretisation coarser_in_space(Discretisation choice);
 Discretisation coarser_in_time(Discretisation choice);
 
-/// Twice the cells, where the mesh can be refined, and twice the steps or a smaller tolerance.
+/// Twice the cells; twice the steps, or a smaller tolerance.
+Discretisation finer_in_space(Discretisation choice);
+Discretisation finer_in_time(Discretisation choice);
+
+/// In space, where the mesh can be refined, and in time.
 Discretisation finer(Discretisation choice, bool refinable);
 
 /// The tolerances of pilots, one after another.

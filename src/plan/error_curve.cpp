@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thermocontact::plan {
 namespace {
@@ -36,8 +37,13 @@ double error_left(double difference, double ratio, double cosine) {
     return difference * (cosine + std::sqrt(cosine * cosine + excess)) / excess;
 }
 
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
 /// Of one component.
-Fit fit(const Ladder& ladder, std::size_t component, double highest) {
+Fit fit(const Ladder& ladder, std::size_t component, double lowest, double highest) {
     const std::size_t count = ladder.steps.size();
     const auto difference = [&](std::size_t i) { return ladder.steps[i][component]; };
     const double last = difference(count - 1);
@@ -50,11 +56,11 @@ Fit fit(const Ladder& ladder, std::size_t component, double highest) {
                                                  std::log(ladder.knobs[i] / ladder.knobs[i + 1])
                                            : lowest_order);
     }
-    std::ranges::sort(slopes);
-    const double order = std::clamp(slopes[(slopes.size() - 1) / 2], lowest_order, highest);
+    const double order = std::clamp(median(std::move(slopes)), lowest, highest);
     const double expected =
         difference(count - 2) * std::pow(ladder.knobs[count - 1] / ladder.knobs[count - 2], order);
-    return {order, std::max(last, expected), cosine_of(ladder, component)};
+    const double taken = expected > last ? std::sqrt(expected * last) : last;
+    return {order, taken, cosine_of(ladder, component)};
 }
 
 }  // namespace
@@ -73,11 +79,13 @@ ErrorCurve::ErrorCurve(std::size_t components)
     curves_.assign(components, LogCurve({1.0}, {0.0}, 0.0));
 }
 
-ErrorCurve::ErrorCurve(const Ladder& ladder, const std::vector<double>& highest_orders)
+ErrorCurve::ErrorCurve(const Ladder& ladder, const std::vector<double>& highest_orders,
+                       const std::vector<double>& lowest_orders)
     : factors_(highest_orders.size(), 1.0), coarsest_(ladder.knobs.front()), finest_(ladder.knobs.back()) {
     const std::size_t last = ladder.steps.size() - 1;
     for (std::size_t c = 0; c < highest_orders.size(); ++c) {
-        const auto [order, difference, cosine] = fit(ladder, c, highest_orders[c]);
+        const double lowest = lowest_orders.empty() ? lowest_order : std::max(lowest_order, lowest_orders[c]);
+        const auto [order, difference, cosine] = fit(ladder, c, lowest, highest_orders[c]);
         const double ratio = ladder.knobs[last] / ladder.knobs[last + 1];
         const double size = ladder.sizes[c] > 0 ? ladder.sizes[c] : 1.0;
         const double left = error_left(difference, std::pow(ratio, order), cosine);

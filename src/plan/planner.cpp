@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/correction.h"
 #include "plan/duration.h"
+#include "plan/near_choice.h"
 #include "plan/report.h"
 #include "plan/space_study.h"
 #include "plan/time_study.h"
@@ -12,15 +12,15 @@
 namespace thermocontact::plan {
 namespace {
 
-constexpr double longest = 3600;            ///< s, of a run that is planned without a budget
-constexpr double share_near_choice = 0.4;   ///< of the chosen run's time, for the pilots near it
-constexpr double longest_near_choice = 20;  ///< s, for the same
-constexpr double margin_of_time = 0.8;      ///< of the budget: predictions of time err, too
-constexpr int approaches = 6;
+constexpr double longest = 3600;             ///< s, of a run that is planned without a budget
+constexpr double share_near_choice = 0.5;    ///< of the chosen run's time, for the pilots near it
+constexpr double least_near_choice = 8;      ///< of what a pilot may take
+constexpr double longest_near_choice = 120;  ///< s, for the same
+constexpr double margin_of_time = 0.8;       ///< of the budget: predictions of time err, too
+constexpr int approaches = 8;
 constexpr double offers_apart = 3.1622776601683795;    ///< half a digit
 constexpr double shares_left[] = {1.0 / 4, 1.0 / 32};  ///< of the accuracy, in the pilots; the second where
                                                        ///< the first promise nothing
-constexpr double close_enough = 1.15;  ///< what a correction changes when no further one is needed
 
 /// Of memory and time without end.
 constexpr Limits no_limits{1e12, 1e15};
@@ -36,35 +36,40 @@ Limits Planner::limits() const {
     return {request.budget ? margin_of_time * (*request.budget - spent) : longest, most_unknowns()};
 }
 
-std::optional<Option> Planner::choose(double accuracy_factor) const {
+std::optional<Option> Planner::choose(const Models& models, double accuracy_factor) const {
     if (study_.request.accuracy) {
-        return cheapest(study_.models, aim_of_accuracy * accuracy_factor * *study_.request.accuracy,
-                        limits());
+        return cheapest(models, aim_of_accuracy * accuracy_factor * *study_.request.accuracy, limits());
     }
     Limits affordable = limits();
     affordable.seconds /= accuracy_factor;  // of a budget, the offers are of other times
-    return most_accurate(study_.models, affordable);
+    return most_accurate(models, affordable);
 }
 
+/// For pilots near a choice that takes so long.
+double Planner::seconds_near(const Option& option) const {
+    const double of_run = seconds_without_output(study_.models, option.discretisation);
+    return std::max(std::min(share_near_choice * of_run, longest_near_choice),
+                    least_near_choice * pilot_allowance(study_.request));
+}
+
+/// The choice is of many candidates, and of those not looked at closely the most hopeful: it is looked at,
+/// chosen again, and so on. Where time is up, only what was looked at counts.
 void Planner::approach() {
     const double begin = study_.bench->seconds();
     for (int i = 0; i < approaches; ++i) {
-        const std::optional<Option> option = choose(1);
-        if (!option) {
+        const std::optional<Option> option = choose(study_.models, 1);
+        if (!option || is_near(study_.models, option->discretisation)) {
             return;
         }
-        const double of_choice = seconds_without_output(study_.models, option->discretisation);
-        const double share = std::min(share_near_choice * of_choice, longest_near_choice);
-        const double spent = study_.bench->seconds() - begin;
-        const double allowed = std::max(share, 2 * pilot_allowance(study_.request)) - spent;
-        if (!correct_near(study_, *option, std::min(allowed, seconds_for_pilots(study_)))) {
-            return;
-        }
-        const double now = assess(study_.models, option->discretisation).error;
-        if (std::abs(std::log(now / option->error)) < std::log(close_enough)) {
-            return;
+        // in all they may take a share of what is the best of those that are known
+        const std::optional<Option> known = choose(near_only(study_.models), 1);
+        const double own = seconds_near(*option), spent = study_.bench->seconds() - begin;
+        const double left = std::max(own, known ? seconds_near(*known) : 0) - spent;
+        if (!learn_near(study_, *option, std::min({own, left, seconds_for_pilots(study_)}))) {
+            break;
         }
     }
+    study_.models = near_only(study_.models);
 }
 
 void Planner::refuse(Plan& plan) const {
@@ -86,10 +91,10 @@ void Planner::refuse(Plan& plan) const {
 }
 
 void Planner::choose_all(Plan& plan) const {
-    plan.chosen = choose(1);
+    plan.chosen = choose(study_.models, 1);
     if (plan.chosen) {
-        plan.cheaper = choose(offers_apart);
-        plan.better = choose(1 / offers_apart);
+        plan.cheaper = choose(study_.models, offers_apart);
+        plan.better = choose(study_.models, 1 / offers_apart);
     } else {
         refuse(plan);
     }
@@ -124,6 +129,10 @@ Plan Planner::make() {
     plan.components = study_.comparison.components();
     plan.models = study_.models;
     plan.remarks = study_.remarks;
+    if (plan.chosen && !is_near(plan.models, plan.chosen->discretisation)) {
+        plan.remarks.emplace_back(
+            "pilots nearly as fine as what is chosen would have taken too long: its error is extrapolated");
+    }
     plan.pilots = study_.bench->runs();
     plan.pilot_seconds = study_.bench->seconds();
     return plan;

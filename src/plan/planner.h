@@ -3,8 +3,7 @@
 /// The error is that of the discretisation: of mesh, degree, step and scheme. The friction's regularisation
 /// and the contact's quadrature are the scene's, part of the problem that is posed. What space and time err
 /// by is found apart (time_study.h, space_study.h), each by refining that one alone (error_curve.h), and
-/// combined (choice.h); pilots near the choice then correct both (correction.h), as an error of space may
-/// depend on the step and the reverse.
+/// combined (choice.h); ladders near the choice then take the place of those far from it (near_choice.h).
 #pragma once
 
 #include <optional>
@@ -41,7 +40,8 @@ class Planner {
   private:
     void study(Plan& plan);
     void approach();
-    std::optional<Option> choose(double accuracy_factor) const;
+    std::optional<Option> choose(const Models& models, double accuracy_factor) const;
+    double seconds_near(const Option& option) const;
     void choose_all(Plan& plan) const;
     void refuse(Plan& plan) const;
     Limits limits() const;

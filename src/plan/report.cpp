@@ -58,9 +58,9 @@ std::string orders(const Plan& plan, const Option& option) {
     return result;
 }
 
-std::string command(const Plan& plan, const std::string& scene) {
-    std::string result = "thermocontact run " + scene;
-    for (const std::string& setting : plan.settings) {
+std::string words(const std::vector<std::string>& settings) {
+    std::string result;
+    for (const std::string& setting : settings) {
         const bool needs_quotes = setting.find('"') != std::string::npos;
         result += " --set " + (needs_quotes ? "'" + setting + "'" : setting);
     }
@@ -125,7 +125,8 @@ std::string text(const Plan& plan, const std::string& scene) {
     for (const std::string& remark : plan.remarks) {
         result += line("note", remark);
     }
-    return plan.settings.empty() ? result : result + line("run", command(plan, scene));
+    return plan.settings.empty() ? result
+                                 : result + line("run", "thermocontact run " + scene + words(plan.settings));
 }
 
 std::string text(const Plan& plan, double seconds, const std::optional<Achieved>& achieved) {
@@ -139,8 +140,11 @@ std::string text(const Plan& plan, double seconds, const std::optional<Achieved>
     } else {
         error += "unknown: the pilot that tells was not completed";
     }
-    return line("achieved", error) + line("time", "predicted " + duration_text(plan.chosen->seconds) +
-                                                      ", achieved " + duration_text(seconds));
+    const std::string time = line(
+        "time", "predicted " + duration_text(plan.chosen->seconds) + ", achieved " + duration_text(seconds));
+    const bool offers = achieved && achieved->instead;
+    return line("achieved", error) + time +
+           (offers ? line("instead", offer(*achieved->instead) + ":" + words(achieved->settings)) : "");
 }
 
 Json to_json(const Plan& plan, double seconds, const std::optional<Achieved>& achieved) {
@@ -158,6 +162,11 @@ Json to_json(const Plan& plan, double seconds, const std::optional<Achieved>& ac
     if (achieved) {
         result["achieved"]["error"] = achieved->error;
         result["achieved"]["errors"] = achieved->errors;
+        if (achieved->instead) {
+            const Option& instead = *achieved->instead;
+            result["instead"] = {
+                {"error", instead.error}, {"seconds", instead.seconds}, {"settings", achieved->settings}};
+        }
     }
     result["settings"] = plan.settings;
     result["pilots"] = {{"runs", plan.pilots}, {"seconds", plan.pilot_seconds}};

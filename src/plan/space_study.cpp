@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "error.h"
-#include "plan/correction.h"
 #include "plan/duration.h"
 #include "plan/grading.h"
 #include "plan/grading_search.h"
 #include "plan/models.h"
+#include "plan/orders.h"
 
 namespace thermocontact::plan {
 namespace {
@@ -54,14 +54,6 @@ Clock clock_of(const Study& study) {
             adaptive ? knob : 0};
 }
 
-std::vector<double> highest_orders(const Study& study, int degree) {
-    std::vector<double> orders;
-    for (const std::string& component : study.comparison.components()) {
-        orders.push_back(component == "strain" ? degree : degree + 1);
-    }
-    return orders;
-}
-
 /// The kinds of meshes, one after another.
 class Meshes {
   public:
@@ -79,7 +71,8 @@ class Meshes {
         const int d = refined_axes(study_->bench->scene());
         const double growth = std::pow(2.0, 1.2 * d);
         const double seconds = std::min(allowance_, seconds_for_pilots(*study_) / 4);
-        const Climb how{level, knob, highest_orders(*study_, degree), growth, study_->goal, seconds};
+        const Climb how{level,  knob,         highest_in_space(study_->comparison.components(), degree),
+                        growth, study_->goal, seconds};
         const Climbed climbed = climb(*study_->bench, study_->comparison, how);
         if (climbed.pilots.empty()) {
             return;

@@ -7,6 +7,7 @@
 
 #include "error.h"
 #include "plan/models.h"
+#include "plan/orders.h"
 #include "plan/report.h"
 
 namespace thermocontact::plan {
@@ -21,12 +22,6 @@ const std::vector<Stepping>& steppings() {
                                               {"generalized-alpha", false}, {"bdf2", true},
                                               {"backward-euler", false},    {"backward-euler", true}};
     return all;
-}
-
-double order_of(const Stepping& stepping) {
-    const double order = stepping.scheme == "backward-euler" ? 1 : 2;
-    return stepping.adaptive ? order / (order + 1)
-                             : order;  // the tolerance is one step's, which errs as k^(order + 1)
 }
 
 /// Cells that the mesh of the pilots has at least: contact is to open and close at many points.
@@ -58,8 +53,8 @@ Climb climb_of(const Study& study, const Stepping& stepping, double allowance) {
                    ? std::optional(Discretisation{degree, scale, stepping, steps, tolerance})
                    : std::nullopt;
     };
-    const std::vector<double> orders(study.comparison.components().size(), order_of(stepping));
-    return {level, time_knob, orders, 2, study.goal, allowance};
+    return {level, time_knob,  highest_in_time(study.comparison.components(), stepping),
+            2,     study.goal, allowance};
 }
 
 }  // namespace

@@ -88,6 +88,16 @@ TEST(ErrorCurve, TrustsNoOrderAboveTheorys) {
     EXPECT_GT(curve.at(0.125)[0], std::pow(0.125, 3));
 }
 
+/// Errors that fall as stairs do: the order is that of the way down, not of one stair.
+TEST(ErrorCurve, LooksAtMoreThanOneStair) {
+    Ladder ladder = power_law(1, 1, 4);
+    ladder.steps = {{1.0}, {0.25}, {0.25}};
+    EXPECT_NEAR(ErrorCurve(ladder, {3.0}).orders()[0], 1, 1e-12);
+    Ladder longer = power_law(1, 1, 5);
+    longer.steps = {{1.0}, {0.5}, {0.5}, {0.125}};
+    EXPECT_NEAR(ErrorCurve(longer, {3.0}).orders()[0], 1, 1e-12);
+}
+
 /// One difference that is small by chance must not promise that little is left.
 TEST(ErrorCurve, IsNotTakenInByALuckyDifference) {
     Ladder ladder = power_law(1, 1, 5);
@@ -104,6 +114,13 @@ TEST(ErrorCurve, PromisesNothingWhereDifferencesDoNotFall) {
     const ErrorCurve curve(ladder, {2.0});
     EXPECT_DOUBLE_EQ(curve.orders()[0], lowest_order);
     EXPECT_GT(curve.at(ladder.knobs.back())[0], 10 * 0.2);
+}
+
+TEST(ErrorCurve, TakesNoOrderBelowWhatIsKnown) {
+    const Ladder ladder = power_law(1, 0.3, 4);
+    EXPECT_NEAR(ErrorCurve(ladder, {2.0}, {0.5}).orders()[0], 0.5, 1e-12);
+    EXPECT_NEAR(ErrorCurve(ladder, {2.0}, {0.01}).orders()[0], 0.3, 1e-12);
+    EXPECT_NEAR(ErrorCurve(ladder, {0.2}, {0.01}).orders()[0], 0.2, 1e-12);
 }
 
 TEST(ErrorCurve, TakesAnotherRunForTheTruth) {

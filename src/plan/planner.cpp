@@ -18,6 +18,7 @@ constexpr double least_near_choice = 8;      ///< of what a pilot may take
 constexpr double longest_near_choice = 120;  ///< s, for the same
 constexpr double margin_of_time = 0.8;       ///< of the budget: predictions of time err, too
 constexpr int approaches = 8;
+constexpr double worse_but_known = 2;  ///< a budget's error that is rather taken than one that is hoped for
 constexpr double offers_apart = 3.1622776601683795;    ///< half a digit
 constexpr double shares_left[] = {1.0 / 4, 1.0 / 32};  ///< of the accuracy, in the pilots; the second where
                                                        ///< the first promise nothing
@@ -53,7 +54,8 @@ double Planner::seconds_near(const Option& option) const {
 }
 
 /// The choice is of many candidates, and of those not looked at closely the most hopeful: it is looked at,
-/// chosen again, and so on. Where time is up, only what was looked at counts.
+/// chosen again, and so on. Where time is up, only what was looked at counts,
+/// in a budget as long as that is not far worse.
 void Planner::approach() {
     const double begin = study_.bench->seconds();
     for (int i = 0; i < approaches; ++i) {
@@ -69,7 +71,11 @@ void Planner::approach() {
             break;
         }
     }
-    study_.models = near_only(study_.models);
+    const Models near = near_only(study_.models);
+    const std::optional<Option> known = choose(near, 1), hoped = choose(study_.models, 1);
+    if (study_.request.accuracy || (known && hoped && known->error <= worse_but_known * hoped->error)) {
+        study_.models = near;
+    }
 }
 
 void Planner::refuse(Plan& plan) const {

@@ -1,7 +1,9 @@
 #include "app/planned_run.h"
 
 #include <iostream>
+#include <utility>
 
+#include "app/exit_code.h"
 #include "app/interruption.h"
 #include "app/planning.h"
 #include "app/run.h"
@@ -12,6 +14,8 @@
 
 namespace thermocontact::app {
 namespace {
+
+constexpr int most_runs = 3;
 
 /// The run is complete, whatever becomes of the pilot that it is compared with.
 std::optional<plan::Achieved> judge(const plan::Plan& plan, plan::Bench& bench, const plan::Pilot& run) {
@@ -24,9 +28,9 @@ std::optional<plan::Achieved> judge(const plan::Plan& plan, plan::Bench& bench, 
     }
 }
 
-/// Runs what is chosen, compares it with the pilots, and reports.
+/// Runs what is chosen, compares it with the pilots, and reports; `judged` is the comparison.
 int carry_out(const plan::Plan& plan, plan::Bench& bench, const RunCommand& command,
-              const parallel::Backend* backend) {
+              const parallel::Backend* backend, std::optional<plan::Achieved>& judged) {
     RunCommand chosen = command;
     chosen.request.reset();
     chosen.overrides.insert(chosen.overrides.end(), plan.settings.begin(), plan.settings.end());
@@ -37,13 +41,34 @@ int carry_out(const plan::Plan& plan, plan::Bench& bench, const RunCommand& comm
         [&](const output::Seconds& seconds) {
             const plan::Pilot run{discretisation, recorder.frames(), {}};
             const double taken = seconds.setup + seconds.factor + seconds.steps + seconds.output;
-            const std::optional<plan::Achieved> achieved = judge(plan, bench, run);
+            judged = judge(plan, bench, run);
             if (!command.quiet) {
-                std::cout << plan::text(plan, taken, achieved);
+                std::cout << plan::text(plan, taken, judged);
             }
-            return plan::to_json(plan, taken, achieved);
+            return plan::to_json(plan, taken, judged);
         }};
     return run(chosen, backend, &watch);
+}
+
+/// A run that turns out to have missed what was asked is made again with what it has taught, as long as that
+/// is foreseen to end in the time that the first might have taken; its results take the place of the first's.
+int meet(plan::Plan plan, plan::Bench& bench, const RunCommand& command, const parallel::Backend* backend) {
+    const double seconds = command.request->budget.value_or(plan::longest_run);
+    for (int runs = 1;; ++runs) {
+        if (!command.quiet) {
+            std::cout << plan::text(plan, command.scene.string());
+        }
+        std::optional<plan::Achieved> judged;
+        const int code = carry_out(plan, bench, command, backend, judged);
+        const std::optional<plan::Plan> next =
+            code == exit_completed && judged && runs < most_runs
+                ? plan::after_miss(plan, *judged, seconds - bench.seconds())
+                : std::nullopt;
+        if (!next) {
+            return code;
+        }
+        plan = *next;
+    }
 }
 
 }  // namespace
@@ -56,15 +81,12 @@ int planned_run(const RunCommand& command, const parallel::Backend* backend) {
     }
     return with_bench({command.scene, command.overrides}, command.request->of, backend,
                       "interrupted while planning", [&](plan::Bench& bench) {
-                          const plan::Plan plan = plan::Planner(bench, *command.request, true).make();
+                          plan::Plan plan = plan::Planner(bench, *command.request, true).make();
                           if (!plan.chosen) {
                               throw NumericsError("run: " + plan.refusal +
                                                   "; nothing was run; \"plan\" tells what can be had");
                           }
-                          if (!command.quiet) {
-                              std::cout << plan::text(plan, command.scene.string());
-                          }
-                          return carry_out(plan, bench, command, backend);
+                          return meet(std::move(plan), bench, command, backend);
                       });
 }
 

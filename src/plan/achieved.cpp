@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "number.h"
 #include "plan/near_choice.h"
 
 namespace thermocontact::plan {
@@ -23,6 +24,7 @@ void offer_instead(Achieved& result, const Plan& plan, const scene::Scene& scene
     if (result.instead) {
         result.settings = settings(scene, result.instead->discretisation);
     }
+    result.models = std::move(models);
 }
 
 }  // namespace
@@ -51,6 +53,19 @@ std::optional<Achieved> achieved(const Plan& plan, Bench& bench, const Pilot& ru
         offer_instead(result, plan, bench.scene());
     }
     return result;
+}
+
+std::optional<Plan> after_miss(const Plan& plan, const Achieved& achieved, double seconds) {
+    if (!achieved.instead || achieved.instead->seconds > seconds) {
+        return std::nullopt;
+    }
+    Plan next = plan;
+    next.models = achieved.models;
+    next.chosen = achieved.instead;
+    next.settings = achieved.settings;
+    next.cheaper = next.better = std::nullopt;
+    next.remarks = {"a run before this one erred by " + short_text(achieved.error) + ", as estimated"};
+    return next;
 }
 
 }  // namespace thermocontact::plan

@@ -19,9 +19,14 @@ struct Achieved {
     /// Where that is more than was asked for: what would meet it, from models that this run has corrected.
     std::optional<Option> instead = {};
     std::vector<std::string> settings = {};  ///< of that
+    Models models = {};                      ///< the corrected ones
 };
 
 /// Runs the pilot if the plan has not; nothing where it fails.
 std::optional<Achieved> achieved(const Plan& plan, Bench& bench, const Pilot& run);
+
+/// The plan of what meets what this one missed; nothing where it missed nothing, or that is foreseen to take
+/// more than `seconds`.
+std::optional<Plan> after_miss(const Plan& plan, const Achieved& achieved, double seconds);
 
 }  // namespace thermocontact::plan

@@ -53,7 +53,7 @@ Rungs rungs_below(const Discretisation& finest, const Direction& direction) {
 std::vector<Rungs> ladders(const Discretisation& choice, const Direction& direction) {
     const Discretisation twice = direction.finer(choice);
     std::vector<Rungs> result;
-    for (const Discretisation& finest : {direction.finer(twice), twice, choice, direction.coarser(choice)}) {
+    for (const Discretisation& finest : {direction.finer(twice), twice, choice}) {
         const bool needed = direction.knob(finest) >= direction.knob(twice) ||
                             rungs_below(twice, direction).size() < fewest_rungs;
         for (const Discretisation& at :

@@ -11,8 +11,8 @@ namespace thermocontact::plan {
 /// one whose extrapolation is the most hopeful is chosen: where a coarse mesh sees theory's order, a finer
 /// one may meet a corner or an end of contact that has less. The errors of the option's mesh and stepping are
 /// then those that the ladders show, and the costs are learnt. A ladder ends at twice the option's cells
-/// (steps), at as many, or at half of them, as `seconds` allow. False where nothing is left to run in that
-/// time.
+/// (steps), or at as many, as `seconds` allow: one that ends before tells less than the run itself will.
+/// False where nothing is left to run in that time.
 bool learn_near(Study& study, const Option& option, double seconds);
 
 /// Whether the models of its mesh and of its stepping are of ladders that reach it, or nearly so.

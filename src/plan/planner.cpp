@@ -12,9 +12,7 @@
 namespace thermocontact::plan {
 namespace {
 
-constexpr double longest = 3600;             ///< s, of a run that is planned without a budget
 constexpr double share_near_choice = 0.5;    ///< of the chosen run's time, for the pilots near it
-constexpr double least_near_choice = 8;      ///< of what a pilot may take
 constexpr double longest_near_choice = 120;  ///< s, for the same
 constexpr double margin_of_time = 0.8;       ///< of the budget: predictions of time err, too
 constexpr int approaches = 8;
@@ -34,7 +32,7 @@ Planner::Planner(Bench& bench, const Request& request, bool budget_counts_pilots
 Limits Planner::limits() const {
     const Request& request = study_.request;
     const double spent = counts_pilots_ ? study_.bench->seconds() : 0.0;
-    return {request.budget ? margin_of_time * (*request.budget - spent) : longest, most_unknowns()};
+    return {request.budget ? margin_of_time * (*request.budget - spent) : longest_run, most_unknowns()};
 }
 
 std::optional<Option> Planner::choose(const Models& models, double accuracy_factor) const {
@@ -49,8 +47,7 @@ std::optional<Option> Planner::choose(const Models& models, double accuracy_fact
 /// For pilots near a choice that takes so long.
 double Planner::seconds_near(const Option& option) const {
     const double of_run = seconds_without_output(study_.models, option.discretisation);
-    return std::max(std::min(share_near_choice * of_run, longest_near_choice),
-                    least_near_choice * pilot_allowance(study_.request));
+    return std::min(share_near_choice * of_run, longest_near_choice);
 }
 
 /// The choice is of many candidates, and of those not looked at closely the most hopeful: it is looked at,

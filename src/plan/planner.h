@@ -14,6 +14,8 @@
 
 namespace thermocontact::plan {
 
+inline constexpr double longest_run = 3600;  ///< s, of a run that is planned without a budget
+
 struct Plan {
     Request request;
     std::vector<std::string> components;

@@ -203,4 +203,12 @@ MUTATIONS = (
         "missing",
         "where time is up, only meshes that were looked at count",
     ),
+    Mutation(
+        "plan-again-at-any-price",
+        "src/plan/achieved.cpp",
+        "achieved.instead->seconds > seconds",
+        "achieved.instead->seconds > seconds + 1e9",
+        "missing",
+        "a run is made again as long as that ends in time",
+    ),
 )

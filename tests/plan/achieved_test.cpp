@@ -1,0 +1,59 @@
+// A run that missed what was asked: what is offered in its place, and when it is gone on with.
+#include "plan/achieved.h"
+
+#include <gtest/gtest.h>
+
+#include "support/scenes.h"
+
+namespace thermocontact::plan {
+namespace {
+
+/// A plan whose models are told to be a hundred times too hopeful, so that its run errs by more than asked.
+class Missed : public testing::Test {
+  protected:
+    Missed() {
+        plan = Planner(bench, {asked, {}, Quantity::norms}, false).make();
+        const std::vector<double> hopeful(plan.components.size(), 0.01);
+        for (SpaceModel& space : plan.models.spaces) {
+            space.error.correct(hopeful);
+        }
+        for (TimeModel& time : plan.models.times) {
+            time.error.correct(hopeful);
+        }
+        plan.chosen = cheapest(plan.models, aim_of_accuracy * asked, {1e9, 1e9});
+        told = *achieved(plan, bench, *bench.run(plan.chosen->discretisation));
+    }
+
+    static constexpr double asked = 0.02;
+    Bench bench{
+        {std::filesystem::path(THERMOCONTACT_SCENES) / "heat-only.toml", {}}, Quantity::norms, nullptr, [] {
+        }};
+    Plan plan;
+    Achieved told;
+};
+
+TEST_F(Missed, IsToldWithWhatMeetsIt) {
+    ASSERT_GT(told.error, asked);
+    ASSERT_TRUE(told.instead);
+    EXPECT_LE(told.instead->error, aim_of_accuracy * asked);
+    EXPECT_GT(told.instead->unknowns, plan.chosen->unknowns);
+    EXPECT_FALSE(told.settings.empty());
+}
+
+TEST_F(Missed, IsGoneOnWithWhereThereIsTime) {
+    ASSERT_TRUE(told.instead);
+    EXPECT_FALSE(after_miss(plan, told, told.instead->seconds / 2));
+    const auto next = after_miss(plan, told, 2 * told.instead->seconds);
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->settings, told.settings);
+    EXPECT_EQ(next->chosen->error, told.instead->error);
+    EXPECT_EQ(next->remarks.size(), 1u);
+}
+
+TEST_F(Missed, IsNotWhatWasMet) {
+    told.instead.reset();
+    EXPECT_FALSE(after_miss(plan, told, 1e9));
+}
+
+}  // namespace
+}  // namespace thermocontact::plan

@@ -1,4 +1,4 @@
-"""Every command of README.md, as it is written there, and how a test tries it.
+"""Every command of README.md and of the pages that it leads to, as it is written there, and how a test tries it.
 
 As it stands; smaller, where it takes minutes and the program has options for that; or not, with the reason: then its help
 must be there, and the named test of ctest runs the program.

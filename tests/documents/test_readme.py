@@ -1,7 +1,7 @@
-"""Each command of README.md does what it should when a new user types it.
+"""Each command of README.md, and of the pages that it leads to, does what it should when a new user types it.
 
 Run from tests/documents/: python3 -m unittest test_readme; THERMOCONTACT_LONG=1 runs as they stand those that take minutes.
-Commands are run in the order of the README, in a copy of the repository beside the build under test.
+Commands are run in the order of the pages, in a copy of the repository beside the build under test.
 """
 
 import os
@@ -18,6 +18,14 @@ from pathlib import Path
 from build_under_test import BUILD, ROOT
 from readme_commands import COMMANDS, OUTPUT, Command
 
+PAGES = (
+    "README.md",
+    "docs/theory.md",
+    "docs/meshes.md",
+    "docs/method.md",
+    "docs/accuracy.md",
+    "docs/verification.md",
+)
 LONG = os.environ.get("THERMOCONTACT_LONG", "") == "1"
 FIRST_WORDS = (
     "build/thermocontact",
@@ -50,7 +58,7 @@ def without_comment(line: str) -> str:
 
 
 def commands(text: str) -> list[str]:
-    """Those of a README, in their order. Throws where an indented line is neither a command nor known output."""
+    """Those of a page, in their order. Throws where an indented line is neither a command nor known output."""
     result = []
     for line in indented(text):
         command = without_comment(line)
@@ -59,6 +67,11 @@ def commands(text: str) -> list[str]:
         elif not line.startswith(OUTPUT):
             raise ValueError(f"neither a command nor output: {line}")
     return result
+
+
+def of_pages() -> list[str]:
+    """Those of all pages, each once."""
+    return list(dict.fromkeys(one for page in PAGES for one in commands((ROOT / page).read_text())))
 
 
 class Extraction(unittest.TestCase):
@@ -155,8 +168,8 @@ class Readme(unittest.TestCase):
         return done.stdout
 
     def test_every_command_is_in_the_table(self) -> None:
-        """And the table has no other, in the same order."""
-        found = list(dict.fromkeys(commands((ROOT / "README.md").read_text())))
+        """And the table has no other."""
+        found = of_pages()
         self.assertEqual(sorted(found), sorted(command.text for command in COMMANDS))
 
     def test_what_is_not_run_has_a_test(self) -> None:
@@ -172,9 +185,9 @@ class Readme(unittest.TestCase):
         self.assertIn("tests/run.sh", (ROOT / ".ci/run").read_text())
 
     def test_commands(self) -> None:
-        """In the order of the README."""
+        """In the order of the pages."""
         table = {command.text: command for command in COMMANDS}
-        for text in commands((ROOT / "README.md").read_text()):
+        for text in of_pages():
             if text in table:
                 with self.subTest(text):
                     begin = time.monotonic()

@@ -8,7 +8,7 @@ from benchmarking.process import ROOT
 from report_parts.html import table
 from report_parts.section import DRIVER, OUT, Command, Findings, Kept, Section
 
-TOLERANCE = 1e-9  # README.md: above it a step was not solved
+TOLERANCE = 1e-9  # of what a run should keep; above 1e-8 a step is not even accepted (docs/audits.md)
 
 
 def commands(small: bool) -> list[Command]:

@@ -49,7 +49,7 @@ SECTION = Section(
     "How large is the error on the paper's own example?",
     "Figure 5 of the paper: the largest error over all times, in the sum of three norms, against a fine "
     "reference. There is no tolerance to meet: loads that start suddenly, corners and a jump of the "
-    "conductance keep the order below 1 in places; README.md shows by experiment which does what.",
+    "conductance keep the order below 1 in places; docs/accuracy.md shows by experiment which does what.",
     commands,
     read,
     files=True,

@@ -93,10 +93,13 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
         contact_term(scene, mesh, space, surfaces, *stage_displacement, foundations_, excess_), space,
         strategy, excess_);
     for (auto* products : {&stored_, &base_stored_, &new_stored_, &conducted_, &outflow_, &source_, &part_,
-                           &rhs_, &of_reference_, &expected_, &new_temperature_}) {
+                           &rhs_, &of_reference_, &extrapolated_, &new_temperature_}) {
         products->resize(stage_.size());
     }
     contact_nodes_ = balance_->contact().nodes_with_forces();
+    if (conduction_) {
+        prescribed_rows_.emplace(*conduction_, balance_->prescribed().dofs());
+    }
     refer_to(nullptr);
     restart(initial);
 }
@@ -138,31 +141,35 @@ void Heat::begin(const StepRule& rule, const State& state) {
         go_on(rule.memory(), stage_);
         multiply({{.matrix = pointer(capacity_), .x = &stage_, .y = &base_stored_}});
     }
-    go_on(rule.outlook(), expected_);
+    expected_ = &state.temperature;
+    if (rule.outlook() != 0 && !state.temperature_rate.empty()) {
+        go_on(rule.outlook(), extrapolated_);
+        expected_ = &extrapolated_;
+    }
     const auto weights = course_weights(rule, state, state.past_temperature);
     traversal_.each([&](fem::NodeRange range, std::size_t) {
         if (weights) {
             follow_course(*weights, state.temperature, state.past_temperature, balance_->prescribed().fixed(),
                           range, 1, stage_);
         } else {
-            std::copy(expected_.begin() + range.begin, expected_.begin() + range.end,
+            std::copy(expected_->begin() + range.begin, expected_->begin() + range.end,
                       stage_.begin() + range.begin);
         }
     });
     parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_temperature_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
-        stage_[i] = state.temperature[i] + rule.alpha * (new_temperature_[i] - state.temperature[i]);
+        stage_[i] = rule.staged(state.temperature[i], new_temperature_[i]);
     }
 }
 
 Heat::Sum Heat::sum_over_nodes(const std::vector<double>& flows) const {
-    return traversal_.sum<Sum>([&](fem::NodeRange range) {
+    return traversal_.sum<Sum>([flow = flows.data()](fem::NodeRange range) {
         double value = 0, magnitude = 0;
 #pragma omp simd reduction(+ : value, magnitude)
-        for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i) {
-            value += flows[i];
-            magnitude += std::abs(flows[i]);
+        for (std::int32_t i = range.begin; i < range.end; ++i) {
+            value += flow[i];
+            magnitude += std::abs(flow[i]);
         }
         return Sum{value, magnitude};
     });
@@ -221,7 +228,6 @@ bool Heat::rounds_flows() {
 /// digits.
 SolveReport Heat::solve(const model::Motion& motion) {
     gather_sources(motion);
-    const std::vector<double> start = stage_;
     refer_to(nullptr);
     std::optional<SolveReport> first;
     try {
@@ -244,7 +250,6 @@ SolveReport Heat::solve(const model::Motion& motion) {
         return report;
     } catch (const StepFailure&) {
         if (!first) {
-            stage_ = start;
             throw;
         }
     }
@@ -290,6 +295,9 @@ SolveReport Heat::solve_from_reference() {
 
 /// The prescribed temperatures are those of begin(), to the last bit.
 void Heat::complete(const State& state) {
+    if (rule_.ends_at_stage()) {
+        return;
+    }
     const std::vector<char>& fixed = balance_->prescribed().fixed();
     over_dofs(traversal_, 1, [&, rule = rule_](std::size_t i) {
         const double theta = rule.completed(state.temperature[i], stage_[i]);
@@ -301,20 +309,21 @@ FieldError Heat::temperature_error(const State& state) const {
     if (!capacity_) {
         return {};
     }
-    const auto estimate = error_estimate(rule_, state.curvature_lag, state.temperature, new_temperature_,
+    const auto estimate = error_estimate(rule_, state.curvature_lag, state.temperature, new_temperature(),
                                          state.temperature_rate, state.temperature_curvature);
-    return {estimate.empty() ? 0.0 : temperature_norm(estimate), temperature_norm(new_temperature_)};
+    return {estimate.empty() ? 0.0 : temperature_norm(estimate), temperature_norm(new_temperature())};
 }
 
 void Heat::accept(State& state, const Scheme& scheme) {
     add_to_audit();
-    renew_rates(scheme, rule_, state.temperature, new_temperature_, state.temperature_rate,
+    Nodal& reached = rule_.ends_at_stage() ? stage_ : new_temperature_;
+    renew_rates(scheme, rule_, state.temperature, reached, state.temperature_rate,
                 state.temperature_curvature);
     std::swap(stored_, new_stored_);
     if (balance_->starts_matter()) {
-        renew_course(state.past_temperature, state.temperature, new_temperature_);
+        renew_course(state.past_temperature, state.temperature, reached);
     } else {
-        std::swap(state.temperature, new_temperature_);
+        std::swap(state.temperature, reached);
     }
 }
 

@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 
+#include "fem/matrix_rows.h"
 #include "fem/traversal.h"
 #include "march/balance.h"
 #include "march/step_error.h"
@@ -57,7 +58,7 @@ class Heat {
     void accept(State& state, const Scheme& scheme);
 
     /// theta + alpha k q, in backward Euler theta: what is known of the stage before it is solved.
-    const std::vector<double>& expected_temperature() const { return expected_; }
+    const std::vector<double>& expected_temperature() const { return *expected_; }
     /// theta_s, from solve().
     const std::vector<double>& stage_temperature() const { return stage_; }
 
@@ -126,6 +127,9 @@ class Heat {
     bool rounds_flows();
     void refer_to(const std::vector<double>* temperature);
     SolveReport solve_from_reference();
+    const std::vector<double>& new_temperature() const {
+        return rule_.ends_at_stage() ? stage_ : new_temperature_;
+    }
     const std::vector<double>& base_stored() const { return rule_.memory() == 0 ? stored_ : base_stored_; }
 
     /// ||theta||_L2 from the product with the capacity matrix, which is c times the Gram matrix, or, without
@@ -135,8 +139,9 @@ class Heat {
     const parallel::Team* team_;
     std::optional<double> capacity_density_;  ///< c, where it is uniform
     std::optional<fem::BlockMatrix> capacity_, conduction_, strain_heating_, strain_rate_heating_;
-    std::optional<fem::BlockMatrix> exchange_;  ///< h theta of boundaries with convection
-    std::optional<fem::BlockMatrix> gram_;      ///< without uniform capacity
+    std::optional<fem::BlockMatrix> exchange_;        ///< h theta of boundaries with convection
+    std::optional<fem::BlockMatrix> gram_;            ///< without uniform capacity
+    std::optional<fem::MatrixRows> prescribed_rows_;  ///< of conduction, where temperatures are prescribed
     model::Loads loads_;
     std::optional<model::Loads> ambient_;  ///< h theta_a likewise
     model::FrictionHeat friction_heat_;
@@ -146,12 +151,14 @@ class Heat {
     const std::vector<double>* load_ = nullptr;
     const std::vector<double>* ambient_load_ = nullptr;  ///< null without convection
     const model::ContactSurfaces* surfaces_;
-    std::vector<double> expected_, stage_;  ///< theta_s before and after it is solved
-    std::vector<double> reference_;         ///< theta_ref
-    bool referred_ = false;                 ///< whether theta_ref is other than 0
-    std::vector<double> excess_;            ///< theta_s - theta_ref, which is solved for; contact reads it
+    const std::vector<double>* expected_ = nullptr;  ///< theta_s before it is solved: the state's or
+    std::vector<double> extrapolated_;
+    std::vector<double> stage_;      ///< theta_s; scratch from accept() to begin() where the step ends there
+    std::vector<double> reference_;  ///< theta_ref
+    bool referred_ = false;          ///< whether theta_ref is other than 0
+    std::vector<double> excess_;     ///< theta_s - theta_ref, which is solved for; contact reads it
     std::vector<std::vector<double>> foundations_;  ///< [surfaces]: theta_F - theta_ref likewise
-    std::vector<double> new_temperature_;           ///< at the end of the step
+    std::vector<double> new_temperature_;           ///< at the end of the step, where that is not the stage
     std::vector<double> no_displacement_;           ///< for contact forms of a scene without mechanics
     std::unique_ptr<Balance> balance_;
     fem::Traversal traversal_;
@@ -159,7 +166,7 @@ class Heat {
     std::vector<double> stored_, base_stored_, new_stored_;  ///< C theta, C theta_hat and C theta_new
     std::vector<double> rhs_, of_reference_;
     std::vector<double> outflow_;        ///< contact conductance, assembled
-    std::vector<double> conducted_;      ///< K theta_s
+    std::vector<double> conducted_;      ///< K theta_s at prescribed temperatures
     std::vector<double> source_, part_;  ///< of strain, its rate and friction, assembled; and one of them
     Sum strain_, strain_rate_, friction_;
 

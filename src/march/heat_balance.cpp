@@ -32,8 +32,10 @@ Heat::BodyFlows Heat::flows_over(fem::NodeRange range) const {
 }
 
 Heat::Flows Heat::flows() {
-    multiply({{.matrix = pointer(capacity_), .x = &new_temperature_, .y = &new_stored_},
-              {.matrix = pointer(conduction_), .x = &stage_, .y = &conducted_}});
+    multiply({{.matrix = pointer(capacity_), .x = &new_temperature(), .y = &new_stored_}});
+    if (prescribed_rows_) {
+        prescribed_rows_->multiply(stage_, conducted_);
+    }
     balance_->contact().nodal_forces("conductance", outflow_);
     const auto body = traversal_.sum<BodyFlows>([this](fem::NodeRange range) { return flows_over(range); });
     const Sum outflow = sum_at_contact(outflow_);

@@ -92,8 +92,8 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
         model::nodes_with(surfaces, space, &scene::Contact::compliance),
         contact_term(mesh, space, d, surfaces, base_displacement_, stage_velocity_), space, strategy,
         stage_velocity_);
-    for (auto* nodal : {&thermal_, &inertia_, &viscous_, &compliance_, &friction_, &reaction_, &rhs_,
-                        &base_velocity_, &new_displacement_, &new_velocity_}) {
+    for (auto* nodal : {&thermal_, &viscous_, &compliance_, &friction_, &reaction_, &rhs_, &base_velocity_,
+                        &new_displacement_, &new_velocity_}) {
         nodal->resize(stage_velocity_.size());
     }
     spring_.resize(springs_.empty() ? 0 : stage_velocity_.size());
@@ -120,13 +120,13 @@ void Momentum::apply(const std::vector<double>& velocity, const std::vector<doub
 /// All products that the audit of a step takes.
 void Momentum::apply_to_new_state() {
     for (auto* nodal : {&now_.mass_w, &now_.stiffness_u, &now_.deformation}) {
-        nodal->resize(new_velocity_.size());
+        nodal->resize(stage_velocity_.size());
     }
-    centre(new_displacement_, dimension_, traversal_, now_.deformation);
+    centre(new_displacement(), dimension_, traversal_, now_.deformation);
     multiply({{.matrix = pointer(stiffness_), .x = &now_.deformation, .y = &now_.stiffness_u},
               {.matrix = &strain_gram_, .x = &now_.deformation, .square = &strain_square_},
               {.matrix = pointer(damping_), .x = &stage_velocity_, .y = &viscous_},
-              {.matrix = pointer(mass_), .x = &new_velocity_, .y = &now_.mass_w}});
+              {.matrix = pointer(mass_), .x = &new_velocity(), .y = &now_.mass_w}});
 }
 
 void Momentum::restart(const State& state) {
@@ -163,8 +163,7 @@ void Momentum::begin(const StepRule& rule, const State& state) {
     parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_displacement_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
-        const double u = state.displacement[i];
-        stage_displacement_[i] = u + rule.alpha * (new_displacement_[i] - u);
+        stage_displacement_[i] = rule.staged(state.displacement[i], new_displacement_[i]);
         stage_velocity_[i] = (stage_displacement_[i] - base_displacement_[i]) / rule.tau;
     }
 }
@@ -187,11 +186,14 @@ SolveReport Momentum::solve(const std::vector<double>& temperature) {
 
 void Momentum::accept(State& state, const Scheme& scheme) {
     audit_.add(rule_.step, step_energies_, step_sums_, step_energy_scale_);
-    renew_rates(scheme, rule_, state.displacement, new_displacement_, state.displacement_rate,
+    if (rule_.ends_at_stage()) {  // what the last system was solved for stays
+        over_dofs(traversal_, dimension_, [&](std::size_t i) { new_velocity_[i] = stage_velocity_[i]; });
+    }
+    renew_rates(scheme, rule_, state.displacement, new_displacement(), state.displacement_rate,
                 state.displacement_curvature);
     renew_rates(scheme, rule_, state.velocity, new_velocity_, state.velocity_rate, state.velocity_curvature);
     std::swap(old_, now_);
-    std::swap(state.displacement, new_displacement_);
+    std::swap(state.displacement, rule_.ends_at_stage() ? stage_displacement_ : new_displacement_);
     if (balance_->starts_matter()) {
         renew_course(state.past_velocity, state.velocity, new_velocity_);
     } else {
@@ -202,6 +204,9 @@ void Momentum::accept(State& state, const Scheme& scheme) {
 
 /// The prescribed displacements are those of begin(), to the last bit.
 void Momentum::complete(const State& state) {
+    if (rule_.ends_at_stage()) {
+        return;
+    }
     const std::vector<char>& fixed = balance_->prescribed().fixed();
     over_dofs(traversal_, dimension_, [&, rule = rule_](std::size_t i) {
         const double u = rule.completed(state.displacement[i], stage_displacement_[i]);
@@ -218,20 +223,20 @@ FieldError Momentum::displacement_error(const State& state) const {
     if (!rates_matter()) {
         return {};
     }
-    const auto estimate = error_estimate(rule_, state.curvature_lag, state.displacement, new_displacement_,
+    const auto estimate = error_estimate(rule_, state.curvature_lag, state.displacement, new_displacement(),
                                          state.displacement_rate, state.displacement_curvature);
-    return {estimate.empty() ? 0.0 : velocity_norm(estimate), velocity_norm(new_displacement_)};
+    return {estimate.empty() ? 0.0 : velocity_norm(estimate), velocity_norm(new_displacement())};
 }
 
 FieldError Momentum::deformation_error(const State& state) const {
     if (!rates_matter() || !stiffness_) {
         return {};
     }
-    const auto estimate = error_estimate(rule_, state.curvature_lag, state.displacement, new_displacement_,
+    const auto estimate = error_estimate(rule_, state.curvature_lag, state.displacement, new_displacement(),
                                          state.displacement_rate, state.displacement_curvature);
-    const double kinetic = mass_ ? norm(*mass_, new_velocity_) : 0.0;
+    const double kinetic = mass_ ? norm(*mass_, new_velocity()) : 0.0;
     return {estimate.empty() ? 0.0 : elastic_norm(estimate),
-            std::hypot(elastic_norm(new_displacement_), kinetic)};
+            std::hypot(elastic_norm(new_displacement()), kinetic)};
 }
 
 double Momentum::elastic_norm(std::vector<double> u) const {
@@ -243,9 +248,9 @@ FieldError Momentum::velocity_error(const State& state) const {
     if (!mass_) {
         return {};
     }
-    const auto estimate = error_estimate(rule_, state.curvature_lag, state.velocity, new_velocity_,
+    const auto estimate = error_estimate(rule_, state.curvature_lag, state.velocity, new_velocity(),
                                          state.velocity_rate, state.velocity_curvature);
-    return {estimate.empty() ? 0.0 : velocity_norm(estimate), velocity_norm(new_velocity_)};
+    return {estimate.empty() ? 0.0 : velocity_norm(estimate), velocity_norm(new_velocity())};
 }
 
 double Momentum::velocity_norm(const std::vector<double>& w) const {

@@ -101,6 +101,12 @@ class Momentum {
         traversal_.multiply({products.begin(), products.size()});
     }
 
+    const std::vector<double>& new_velocity() const {
+        return rule_.ends_at_stage() ? stage_velocity_ : new_velocity_;
+    }
+    const std::vector<double>& new_displacement() const {
+        return rule_.ends_at_stage() ? stage_displacement_ : new_displacement_;
+    }
     /// Products of w_hat and u_hat.
     const Products& base() const { return rule_.memory() == 0 ? old_ : base_; }
     void collect_boundary_forces();
@@ -110,7 +116,7 @@ class Momentum {
         ForceSums inertia, viscous, thermal, load;
         double momentum = 0;  ///< sum of |M w|, N s
     };
-    BodySums sums_over(fem::NodeRange range, const State& old);
+    BodySums sums_over(fem::NodeRange range, const State& old) const;
     void add_boundary(MomentumSums& sums);
     void add_springs(Energies& energies, MomentumSums& sums, const State& old);
     double motion_of(std::size_t i, const State& old) const;
@@ -135,17 +141,19 @@ class Momentum {
     StepRule rule_{};
     const std::vector<double>* load_ = nullptr;
     std::vector<double> stage_velocity_, base_displacement_;  ///< w_s and u_hat, which the contact forms read
-    std::vector<double> stage_displacement_, base_velocity_;
-    std::vector<double> new_displacement_, new_velocity_;  ///< at the end of the step
+    std::vector<double> stage_displacement_;  ///< old from accept() to solve() where the step ends there
+    std::vector<double> base_velocity_;
+    std::vector<double> new_displacement_;  ///< at the end of the step, where that is not the stage
+    std::vector<double> new_velocity_;      ///< at the end of the step
     std::unique_ptr<Balance> balance_;
     fem::Traversal traversal_;
     std::vector<std::int32_t> contact_nodes_, prescribed_nodes_;  ///< where forces of the boundary act
     Products old_, base_, now_;  ///< of the state, of w_hat and u_hat, and of the new state
     std::vector<double> rhs_;
-    std::vector<double> inertia_, viscous_, compliance_, friction_, reaction_;  ///< at the stage
-    std::vector<double> thermal_;  ///< (theta M, eps(v)), assembled
-    std::vector<double> spring_;   ///< at the stage; empty without springs
-    double strain_square_ = 0;     ///< of the new state, |eps(u)|^2, of this process
+    std::vector<double> viscous_, compliance_, friction_, reaction_;  ///< at the stage
+    std::vector<double> thermal_;                                     ///< (theta M, eps(v)), assembled
+    std::vector<double> spring_;                                      ///< at the stage; empty without springs
+    double strain_square_ = 0;  ///< of the new state, |eps(u)|^2, of this process
 
     MomentumAudit audit_;
     Energies step_energies_;  ///< of the step that was examined

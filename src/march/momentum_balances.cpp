@@ -1,5 +1,6 @@
 /// Momentum: the balances of energy and force over its steps (momentum_audit.h).
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "march/momentum.h"
@@ -8,6 +9,9 @@
 
 namespace thermocontact::march {
 namespace {
+
+/// Nodes whose vectors stay in a core's own cache while all that is taken of them is summed.
+constexpr std::int32_t tile = 1024;
 
 /// What the scheme dissipates at one unknown, twice: `motion` is the change of the value over the step,
 /// `force` that of the force, `carried` the force of y_hat less that of y (momentum_audit.h).
@@ -51,23 +55,23 @@ void Momentum::collect_boundary_forces() {
 /// Displacements are taken less their mean: a shift has no energy, but times the sum of K u, which is
 /// round-off, it may be more than all there is in a stiff body far from where it was meshed. At shared nodes
 /// each process holds a part of M w and K u, so that the sums add up.
-Momentum::BodySums Momentum::sums_over(fem::NodeRange range, const State& old) {
+Momentum::BodySums Momentum::sums_over(fem::NodeRange range, const State& old) const {
     const auto d = static_cast<std::size_t>(dimension_);
     const StepRule rule = rule_;
-    const double *w_old = old.velocity.data(), *w = new_velocity_.data(), *w_stage = stage_velocity_.data(),
-                 *u_old = old.displacement.data(), *u = new_displacement_.data(),
-                 *u_hat = base_displacement_.data(), *mass_old = old_.mass_w.data(),
-                 *mass = now_.mass_w.data(), *mass_hat = base().mass_w.data(),
+    const double *w_old = old.velocity.data(), *w = new_velocity().data(), *w_stage = stage_velocity_.data(),
+                 *u_old = old.displacement.data(), *u = new_displacement().data(),
+                 *u_hat = rule.memory() == 0 ? u_old : base_displacement_.data(),
+                 *mass_old = old_.mass_w.data(), *mass = now_.mass_w.data(), *mass_hat = base().mass_w.data(),
                  *stiff_old = old_.stiffness_u.data(), *stiff = now_.stiffness_u.data(),
                  *stiff_hat = base().stiffness_u.data(), *shape_old = old_.deformation.data(),
                  *shape = now_.deformation.data();
-    double* inertia = inertia_.data();
+    std::array<double, std::size_t{3} * tile> inertia;
+    const std::size_t first = static_cast<std::size_t>(range.begin) * d;
     double kinetic_old = 0, kinetic = 0, kinetic_numerical = 0, strain_old = 0, strain = 0,
            strain_numerical = 0, stored = 0, momentum = 0;
 #pragma omp simd reduction(+ : kinetic_old, kinetic, kinetic_numerical, strain_old, strain, \
                                strain_numerical, stored, momentum)
-    for (std::size_t i = static_cast<std::size_t>(range.begin) * d;
-         i < static_cast<std::size_t>(range.end) * d; ++i) {
+    for (std::size_t i = first; i < static_cast<std::size_t>(range.end) * d; ++i) {
         const double shape_stage = shape_old[i] + rule.alpha * (shape[i] - shape_old[i]);
         kinetic_old += w_old[i] * mass_old[i];
         kinetic += w[i] * mass[i];
@@ -80,7 +84,7 @@ Momentum::BodySums Momentum::sums_over(fem::NodeRange range, const State& old) {
                              stiff[i] - stiff_old[i], stiff_hat[i] - stiff_old[i]);
         stored += std::abs(u[i] * stiff[i]);
         momentum += std::abs(mass[i]);
-        inertia[i] = inertia_of(rule, mass_old[i], mass[i], mass_hat[i]);
+        inertia[i - first] = inertia_of(rule, mass_old[i], mass[i], mass_hat[i]);
     }
     const auto of = [&](const std::vector<double>& force) {
         return sum_up(force.data(), w_stage, dimension_, range);
@@ -92,7 +96,7 @@ Momentum::BodySums Momentum::sums_over(fem::NodeRange range, const State& old) {
              .strain = strain / 2,
              .strain_numerical = strain_numerical / 2,
              .stored = stored},
-            of(inertia_),
+            sum_up(inertia.data(), w_stage + first, dimension_, {0, range.end - range.begin}),
             of(viscous_),
             of(thermal_),
             of(*load_),
@@ -115,14 +119,14 @@ void Momentum::add_springs(Energies& energies, MomentumSums& sums, const State& 
         return;
     }
     const model::Springs::Work work =
-        springs_.work({old.displacement, stage_displacement_, new_displacement_,
+        springs_.work({old.displacement, stage_displacement_, new_displacement(),
                        [&](std::size_t i) { return motion_of(i, old); },
                        [&](std::size_t i) { return rule_.step * stage_velocity_[i]; }});
     energies.spring_old = work.old;
     energies.spring = work.now;
     energies.spring_numerical = work.numerical;
     energies.anchors = work.of_anchors;
-    energies.stored += springs_.parts(new_displacement_).energy;
+    energies.stored += springs_.parts(new_displacement()).energy;
     sums.spring_parts = springs_.parts(stage_displacement_).force;
     const auto nodes = static_cast<std::int32_t>(spring_.size()) / dimension_;
     sums.spring = sum_up(spring_.data(), stage_velocity_.data(), dimension_, {0, nodes});
@@ -136,8 +140,13 @@ void Momentum::examine(const State& state, double limit) {
     timed(audit_seconds_, [&] {
         apply_to_new_state();
         collect_boundary_forces();
-        BodySums body =
-            traversal_.sum<BodySums>([&](fem::NodeRange range) { return sums_over(range, state); });
+        BodySums body = traversal_.sum<BodySums>([&](fem::NodeRange range) {
+            BodySums sums;
+            for (std::int32_t begin = range.begin; begin < range.end; begin += tile) {
+                fem::add_doubles(sums, sums_over({begin, std::min(begin + tile, range.end)}, state));
+            }
+            return sums;
+        });
         MomentumSums sums;
         sums.inertia = body.inertia;
         sums.viscous = body.viscous;

@@ -36,14 +36,19 @@ struct StepRule {
     double steering;  ///< of d - q in what the step adds to q
     int order;
 
-    double stage_time() const { return alpha == 1 ? end : begin + alpha * step; }
+    double stage_time() const { return ends_at_stage() ? end : begin + alpha * step; }
+    bool ends_at_stage() const { return alpha == 1; }
     double memory() const { return alpha * step - tau; }  ///< weight of q in y_hat, s
     bool has_rate() const { return lag >= 0; }            ///< q
     /// Weight of q in what is expected of the stage before it is solved, s: nothing new in backward Euler.
     double outlook() const { return order == 1 ? 0.0 : alpha * step; }
 
-    /// The value at the end of the step from those at its begin and at the stage.
-    double completed(double y, double stage) const { return y + (stage - y) / alpha; }
+    /// The value at the end of the step from those at its begin and at the stage, and the other way round: to
+    /// the last bit the same where the stage is the end.
+    double completed(double y, double stage) const {
+        return ends_at_stage() ? stage : y + (stage - y) / alpha;
+    }
+    double staged(double y, double y_new) const { return ends_at_stage() ? y_new : y + alpha * (y_new - y); }
 };
 
 class Scheme {

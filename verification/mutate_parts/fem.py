@@ -44,6 +44,22 @@ MUTATIONS = (
         "both triangles count in a norm",
     ),
     Mutation(
+        "matrix-rows-transposed",
+        "src/fem/matrix_rows.cpp",
+        "take(j * b + c, i * b + r, *value);",
+        "take(j * b + r, i * b + c, *value);",
+        "index",
+        "rows take the transposed blocks of nodes before theirs",
+    ),
+    Mutation(
+        "matrix-rows-diagonal",
+        "src/fem/matrix_rows.cpp",
+        "if (i != j) {",
+        "if (i != j || b == 2) {",
+        "range",
+        "a block on the diagonal counts once",
+    ),
+    Mutation(
         "traversal-shared-rows",
         "src/fem/traversal.cpp",
         "last(range.shared) < range.all.end)",

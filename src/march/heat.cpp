@@ -1,7 +1,6 @@
 #include "march/heat.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 

@@ -430,8 +430,8 @@ MUTATIONS = (
     Mutation(
         "rule-completed",
         "src/march/step_rule.h",
-        "return y + (stage - y) / alpha;",
-        "return y + (stage - y);",
+        "stage : y + (stage - y) / alpha;",
+        "stage : y + (stage - y);",
         "missing",
         "the end of the step is beyond its stage",
     ),

@@ -34,7 +34,7 @@ double pilot_allowance(const Request& request);
 /// s that are left of the share of a budget that planning may take; infinite without one.
 double seconds_for_pilots(const Study& study);
 
-/// The most unknowns that the memory holds.
+/// The most unknowns that a run may have, for the memory there is.
 double most_unknowns();
 
 }  // namespace thermocontact::plan

@@ -3,6 +3,8 @@
 from . import (
     adaptive,
     app,
+    audits,
+    balances,
     embed,
     fem,
     forms,
@@ -32,6 +34,8 @@ MUTATIONS: tuple[Mutation, ...] = (
     *solve.MUTATIONS,
     *multigrid.MUTATIONS,
     *march.MUTATIONS,
+    *balances.MUTATIONS,
+    *audits.MUTATIONS,
     *adaptive.MUTATIONS,
     *refinement.MUTATIONS,
     *output.MUTATIONS,

@@ -14,7 +14,7 @@ constexpr int most_shared = 4;
 
 Traversal::Traversal(const NodeGraph& graph, Beside beside, std::int32_t range_size)
     : graph_(&graph), beside_(std::move(beside)) {
-    std::int32_t count = std::max(1, graph.node_count() / range_size);
+    std::int32_t count = std::max(std::min(1, graph.node_count()), graph.node_count() / range_size);
     for (ranges_ = cut(count); count > 1; ranges_ = cut(count)) {
         std::int64_t shared = 0;
         for (const Range& range : ranges_) {

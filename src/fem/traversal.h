@@ -46,7 +46,7 @@ void add_doubles(Sums& total, const Sums& part) {
 class Traversal {
   public:
     /// For the nodes of the graph, which must stay. A space with less than `range_size` nodes or a little
-    /// more has one range.
+    /// more has one range, one without nodes (a process may have none) has none.
     Traversal(const NodeGraph& graph, Beside beside, std::int32_t range_size = 8192);
 
     std::size_t range_count() const { return ranges_.size(); }

@@ -8,11 +8,11 @@
 namespace thermocontact::plan {
 namespace {
 
-constexpr double share_of_pilot = 0.015;  ///< of the budget
-constexpr double share_of_pilots = 0.35;  ///< of the budget, for all of them
-constexpr double seconds_of_pilot = 0.5;  ///< where there is no budget
-constexpr double share_of_run = 0.5;      ///< of the memory: pilots, factors of other step sizes, and the run
-                                      ///< that tells what this one errs by have theirs
+constexpr double share_of_pilot = 0.015;   ///< of the budget
+constexpr double share_of_pilots = 0.35;   ///< of the budget, for all of them
+constexpr double seconds_of_pilot = 0.5;   ///< where there is no budget
+constexpr double share_of_run = 0.5;       ///< of the memory: pilots, other factors, and the run that
+                                           ///< that tells what this one errs by have theirs
 constexpr double bytes_an_unknown = 2100;  ///< of newton-krylov, the leaner strategy (solve/forecast.h)
 
 }  // namespace

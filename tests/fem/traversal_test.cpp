@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "mesh/shapes.h"
@@ -125,6 +126,25 @@ TEST(Traversal, RangesCoverTheNodes) {
         EXPECT_EQ(next, body.graph.node_count());
         EXPECT_LT(traversal.range_count(), 20U);
     }
+}
+
+/// A process may have no part of the body.
+TEST(Traversal, OfNoNodesDoesNothing) {
+    const NodeGraph graph{{0}, {}, {}};
+    const BlockMatrix matrix = zero_matrix(graph, 2, 2);
+    Traversal traversal(graph, [](int count, const std::function<void(int)>& task) {
+        for (int i = 0; i < count; ++i) {
+            task(i);
+        }
+    });
+    const std::vector<double> x;
+    std::vector<double> y;
+    double square = 1;
+    traversal.multiply(std::array{Product{.matrix = &matrix, .x = &x, .y = &y},
+                                  Product{.matrix = &matrix, .x = &x, .square = &square}});
+    EXPECT_EQ(square, 0.0);
+    EXPECT_EQ(traversal.range_count(), 0u);
+    EXPECT_EQ(traversal.sum<double>([](NodeRange) { return 1.0; }), 0.0);
 }
 
 }  // namespace

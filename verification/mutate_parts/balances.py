@@ -211,12 +211,4 @@ MUTATIONS = (
         "state",
         "each tau has its own system",
     ),
-    Mutation(
-        "multipliers-end-with-newton",
-        "src/march/balance.cpp",
-        "(!moved && change > falling * before)",
-        "!moved",
-        "missing",
-        "multipliers end by their own change, not where Newton's method has nothing to do",
-    ),
 )

@@ -10,6 +10,7 @@ from report_parts import (
     known_answers,
     matrix,
     orders,
+    speed,
     tradeoff,
 )
 from report_parts.section import Section
@@ -27,5 +28,6 @@ SECTIONS: dict[str, Section] = {
         extremes,
         error_curve,
         tradeoff,
+        speed,
     )
 }

@@ -34,10 +34,3 @@ add_custom_target(gallery
   COMMAND ${FFCX_PYTHON} ${CMAKE_SOURCE_DIR}/verification/gallery.py --driver $<TARGET_FILE:thermocontact>
   COMMENT "pictures of the gallery" VERBATIM)
 add_dependencies(gallery thermocontact)
-
-# How do I know it is right? One page, a quarter of an hour
-add_custom_target(report
-  COMMAND ${FFCX_PYTHON} ${CMAKE_SOURCE_DIR}/verification/report.py --driver $<TARGET_FILE:thermocontact>
-          --output ${CMAKE_BINARY_DIR}/report
-  COMMENT "report of the verification" USES_TERMINAL VERBATIM)
-add_dependencies(report thermocontact manufactured)

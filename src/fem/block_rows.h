@@ -10,6 +10,13 @@ struct NodeRange {
     std::int32_t begin, end;
 };
 
+/// Where the rows of a range are added up: what goes to these nodes themselves, and what to those after each.
+/// Both begin with node 0 and may be the same.
+struct Target {
+    double* here = nullptr;
+    double* later = nullptr;
+};
+
 /// Adds to y [nodes x rows] factor * A x of the blocks in the rows of the range, and of those that mirror
 /// them: what goes to the rows themselves into `y`, what goes to the nodes after each into `later`. Both
 /// begin with node 0 and may be the same.

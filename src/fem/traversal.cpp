@@ -12,6 +12,25 @@ constexpr int most_shared = 4;
 
 }  // namespace
 
+Pass pass_of(const Product& product) {
+    if (product.y == nullptr) {
+        return {.add =
+                    [&product](NodeRange range, const std::array<Target, 2>&) {
+                        return quadratic_form(*product.matrix, range, product.x->data());
+                    },
+                .square = product.square};
+    }
+    Pass pass{.results = {Pass::Result{product.y, product.from}}, .add = {}};
+    if (product.matrix != nullptr) {
+        pass.add = [&product](NodeRange range, const std::array<Target, 2>& results) {
+            add_product(*product.matrix, range, product.factor, product.x->data(), results[0].here,
+                        results[0].later);
+            return 0.0;
+        };
+    }
+    return pass;
+}
+
 Traversal::Traversal(const NodeGraph& graph, Beside beside, std::int32_t range_size)
     : graph_(&graph), beside_(std::move(beside)) {
     std::int32_t count = std::max(std::min(1, graph.node_count()), graph.node_count() / range_size);
@@ -61,53 +80,77 @@ void Traversal::each(const std::function<void(NodeRange, std::size_t)>& work) co
 }
 
 void Traversal::multiply(std::span<const Product> products) {
-    if (later_.size() < products.size()) {
-        later_.resize(products.size(), std::vector<std::vector<double>>(ranges_.size()));
-        squares_.resize(products.size(), std::vector<double>(ranges_.size()));
+    std::vector<Pass> passes;
+    passes.reserve(products.size());
+    for (const Product& product : products) {
+        passes.push_back(pass_of(product));
     }
-    each([&](NodeRange range, std::size_t number) {
-        for (std::size_t i = 0; i < products.size(); ++i) {
-            const Product& product = products[i];
-            if (product.y != nullptr) {
-                multiply(product, ranges_[number], later_[i][number]);
-            } else {
-                squares_[i][number] = quadratic_form(*product.matrix, range, product.x->data());
-            }
+    run(passes);
+}
+
+void Traversal::run(std::span<const Pass> passes) {
+    if (later_.size() < passes.size()) {
+        later_.resize(passes.size(), std::vector<Later>(ranges_.size()));
+        squares_.resize(passes.size(), std::vector<double>(ranges_.size()));
+    }
+    each([&](NodeRange, std::size_t number) {
+        for (std::size_t i = 0; i < passes.size(); ++i) {
+            squares_[i][number] = run(passes[i], ranges_[number], later_[i][number]);
         }
     });
-    for (std::size_t i = 0; i < products.size(); ++i) {
-        const Product& product = products[i];
-        if (product.y == nullptr) {
-            *product.square = std::accumulate(squares_[i].begin(), squares_[i].end(), 0.0);
-        } else if (product.matrix != nullptr) {
-            for (std::size_t number = 0; number < ranges_.size(); ++number) {
-                const std::vector<double>& later = later_[i][number];
-                double* y = product.y->data() + std::ptrdiff_t{ranges_[number].shared} * product.matrix->rows;
-                for (std::size_t k = 0; k < later.size(); ++k) {
-                    y[k] += later[k];
-                }
-            }
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        add_later(passes[i], later_[i]);
+        if (passes[i].square != nullptr) {
+            *passes[i].square = std::accumulate(squares_[i].begin(), squares_[i].end(), 0.0);
         }
     }
 }
 
-void Traversal::multiply(const Product& product, const Range& range, std::vector<double>& later) {
-    const auto rows = static_cast<std::ptrdiff_t>(product.y->size()) / graph_->node_count();
-    const std::ptrdiff_t begin = range.all.begin * rows, end = range.all.end * rows;
-    double* y = product.y->data();
-    if (product.from != nullptr) {
-        std::copy(product.from->data() + begin, product.from->data() + end, y + begin);
-    } else {
-        std::fill(y + begin, y + end, 0.0);
+double Traversal::run(const Pass& pass, const Range& range, Later& later) const {
+    std::array<Target, 2> before{}, after{};
+    bool any = false;
+    for (std::size_t k = 0; k < pass.results.size(); ++k) {
+        const auto& [y, from] = pass.results[k];
+        if (y == nullptr) {
+            continue;
+        }
+        any = true;
+        const auto rows = static_cast<std::ptrdiff_t>(y->size()) / graph_->node_count();
+        const std::ptrdiff_t begin = range.all.begin * rows, end = range.all.end * rows;
+        if (from != nullptr) {
+            std::copy(from->data() + begin, from->data() + end, y->data() + begin);
+        } else {
+            std::fill(y->data() + begin, y->data() + end, 0.0);
+        }
+        later[k].assign(pass.add ? static_cast<std::size_t>((range.reach - range.shared) * rows) : 0, 0.0);
+        before[k] = {y->data(), y->data()};
+        after[k] = {y->data(), later[k].data() - range.shared * rows};
     }
-    if (product.matrix == nullptr) {
-        return;
+    if (!pass.add) {
+        return 0;
     }
-    later.assign(static_cast<std::size_t>((range.reach - range.shared) * rows), 0.0);
-    const double* x = product.x->data();
-    add_product(*product.matrix, {range.all.begin, range.shared}, product.factor, x, y, y);
-    add_product(*product.matrix, {range.shared, range.all.end}, product.factor, x, y,
-                later.data() - range.shared * rows);
+    if (!any) {
+        return pass.add(range.all, before);
+    }
+    const double square = pass.add({range.all.begin, range.shared}, before);
+    return square + pass.add({range.shared, range.all.end}, after);
+}
+
+void Traversal::add_later(const Pass& pass, const std::vector<Later>& later) const {
+    for (std::size_t k = 0; k < pass.results.size(); ++k) {
+        if (pass.results[k].y == nullptr) {
+            continue;
+        }
+        std::vector<double>& y = *pass.results[k].y;
+        for (std::size_t number = 0; number < ranges_.size(); ++number) {
+            const auto rows = static_cast<std::ptrdiff_t>(y.size()) / graph_->node_count();
+            const std::vector<double>& more = later[number][k];
+            double* values = y.data() + std::ptrdiff_t{ranges_[number].shared} * rows;
+            for (std::size_t i = 0; i < more.size(); ++i) {
+                values[i] += more[i];
+            }
+        }
+    }
 }
 
 }  // namespace thermocontact::fem

@@ -6,6 +6,7 @@
 /// of a sum does not, either.
 #pragma once
 
+#include <array>
 #include <cstring>
 #include <functional>
 #include <span>
@@ -28,6 +29,22 @@ struct Product {
     const std::vector<double>* from = nullptr;
     double* square = nullptr;
 };
+
+/// One reading of a matrix's rows, and all that is taken of it: a product, or several that share what is
+/// read.
+struct Pass {
+    struct Result {
+        std::vector<double>* y = nullptr;  ///< its size already; null: there is no such result
+        const std::vector<double>* from = nullptr;
+    };
+    std::array<Result, 2> results{};
+    /// Adds what the rows of the range contribute, and returns their part of the square; empty: nothing.
+    std::function<double(NodeRange range, const std::array<Target, 2>& results)> add;
+    double* square = nullptr;  ///< null: there is none
+};
+
+/// What the product refers to must stay until Traversal::run().
+Pass pass_of(const Product& product);
 
 /// total += part, member by member.
 template <typename Sums>
@@ -69,6 +86,9 @@ class Traversal {
     /// All products, beside each other; none may read what another one writes.
     void multiply(std::span<const Product> products);
 
+    /// The same for passes.
+    void run(std::span<const Pass> passes);
+
   private:
     struct Range {
         NodeRange all;
@@ -77,14 +97,16 @@ class Traversal {
     };
 
     std::vector<Range> cut(std::int32_t count) const;
-    void multiply(const Product& product, const Range& range, std::vector<double>& later);
+    using Later = std::array<std::vector<double>, 2>;
+    double run(const Pass& pass, const Range& range, Later& later) const;
+    void add_later(const Pass& pass, const std::vector<Later>& later) const;
 
     const NodeGraph* graph_;
     Beside beside_;
     std::vector<Range> ranges_;
-    /// [products][ranges]: what the rows from `shared` on add to the nodes after them
-    std::vector<std::vector<std::vector<double>>> later_;
-    std::vector<std::vector<double>> squares_;  ///< [products][ranges]
+    /// [passes][ranges]: what the rows from `shared` on add to the nodes after them
+    std::vector<std::vector<Later>> later_;
+    std::vector<std::vector<double>> squares_;  ///< [passes][ranges]
 };
 
 }  // namespace thermocontact::fem

@@ -18,6 +18,7 @@
 #include "march/step_error.h"
 #include "march/step_rule.h"
 #include "model/loads.h"
+#include "model/plane_body.h"
 #include "model/springs.h"
 #include "parallel/team.h"
 
@@ -97,6 +98,7 @@ class Momentum {
     void apply(const std::vector<double>& velocity, const std::vector<double>& displacement,
                Products& products);
     void apply_to_new_state();
+    fem::PlaneProducts plane_products(const std::vector<double>& velocity, Products& products);
     void multiply(std::initializer_list<fem::Product> products) {
         traversal_.multiply({products.begin(), products.size()});
     }
@@ -132,7 +134,8 @@ class Momentum {
     const model::ContactSurfaces* surfaces_;
     std::optional<double> density_;  ///< rho, where it is uniform
     std::optional<fem::BlockMatrix> mass_, damping_, stiffness_, coupling_;
-    fem::BlockMatrix strain_gram_;
+    std::optional<model::PlaneBody> plane_;          ///< stiffness and damping are in it, too
+    std::optional<fem::BlockMatrix> strain_gram_;    ///< without that
     std::optional<fem::BlockMatrix> velocity_gram_;  ///< without uniform density
     model::Loads loads_;
     model::Springs springs_;

@@ -70,8 +70,8 @@ MUTATIONS = (
     Mutation(
         "traversal-later",
         "src/fem/traversal.cpp",
-        "y[k] += later[k];",
-        "y[k] = later[k];",
+        "values[i] += more[i];",
+        "values[i] = more[i];",
         "missing",
         "what a range adds to the nodes after it adds to what these have",
     ),
@@ -82,6 +82,22 @@ MUTATIONS = (
         "y[i * size + r] += sum[r];",
         "factor",
         "from + factor A x",
+    ),
+    Mutation(
+        "plane-shear",
+        "src/fem/plane_rows.cpp",
+        "mirrored(tensor.shear / 2)",
+        "mirrored(tensor.shear)",
+        "factor",
+        "shear/2 (tr(D) I + D^T)",
+    ),
+    Mutation(
+        "plane-lower-triangle",
+        "src/fem/plane_rows.cpp",
+        "to_w[m] = viscous_entry * w_here.by_row[m];",
+        "to_w[m] = viscous_entry * w_here.by_column[m];",
+        "index",
+        "the lower triangle is the transposed upper one",
     ),
     Mutation(
         "compress-unequal",

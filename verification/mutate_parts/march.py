@@ -28,6 +28,14 @@ MUTATIONS = (
         "the coupling of the schemes of second order takes u_s, just computed",
     ),
     Mutation(
+        "restart-other-products",
+        "src/march/momentum.cpp",
+        "if (plane_) {  // with the bits",
+        "if (plane_ && dimension_ == 3) {  // with the bits",
+        "state",
+        "a run that was broken off goes on with the same bits",
+    ),
+    Mutation(
         "momentum-far-away",
         "src/march/vectors.cpp",
         "numbers[lane] = translation.of[lane % components];",

@@ -4,6 +4,14 @@ from .mutation import Mutation
 
 MUTATIONS = (
     Mutation(
+        "plane-body-of-regions",
+        "src/model/plane_body.cpp",
+        "!scene.regions.empty() || ",
+        "",
+        "missing",
+        "regions have tensors of their own",
+    ),
+    Mutation(
         "spring-anchor-work",
         "src/model/springs.cpp",
         "sum.of_anchors -= force.dot(anchors);",

@@ -183,9 +183,11 @@ Heat::Sum Heat::sum_at_contact(const std::vector<double>& flows) const {
 }
 
 /// Heat of strain, of its rate and of friction; what is absent costs nothing.
-void Heat::gather_sources(const model::Motion& motion) {
+void Heat::gather_sources(const model::Motion& motion, bool strain_heat_known) {
     strain_ = strain_rate_ = friction_ = {};
-    multiply({{.matrix = pointer(strain_heating_), .x = motion.displacement, .y = &source_}});
+    if (!strain_heat_known) {
+        multiply({{.matrix = pointer(strain_heating_), .x = motion.displacement, .y = &source_}});
+    }
     if (strain_heating_) {
         strain_ = sum_over_nodes(source_);
     }
@@ -225,8 +227,8 @@ bool Heat::rounds_flows() {
 /// Where conductance is so large that the last bit of a temperature is worth more flow than the tolerance, or
 /// than audits may have, the step is solved once more for the difference to what was found, which has all its
 /// digits.
-SolveReport Heat::solve(const model::Motion& motion) {
-    gather_sources(motion);
+SolveReport Heat::solve(const model::Motion& motion, bool strain_heat_known) {
+    gather_sources(motion, strain_heat_known);
     refer_to(nullptr);
     std::optional<SolveReport> first;
     try {
@@ -332,13 +334,6 @@ double Heat::temperature_norm(const std::vector<double>& theta) const {
 
 double Heat::content(const State& state) const {
     return team_->sum(capacity_ ? as_eigen(capacity_->multiply(state.temperature)).sum() : 0.0);
-}
-
-double Heat::norm(const std::vector<double>& theta, const std::vector<double>& product) const {
-    // the capacity matrix is c times the Gram matrix
-    const double square =
-        team_->sum(as_eigen(theta).dot(as_eigen(product))) / capacity_density_.value_or(1.0);
-    return std::sqrt(std::max(0.0, square));
 }
 
 StepSeconds Heat::seconds() const {

@@ -40,8 +40,13 @@ class Heat {
     void begin(const StepRule& rule, const State& state);
 
     /// Solves with the motion in the strain heating (not read without); that in the contact is the one at the
-    /// stage, just computed. Throws StepFailure.
-    SolveReport solve(const model::Motion& motion);
+    /// stage, just computed. `strain_heat_known`: source_of_strain() holds the heat of strain already. Throws
+    /// StepFailure.
+    SolveReport solve(const model::Motion& motion, bool strain_heat_known = false);
+
+    Nodal& source_of_strain() { return source_; }
+    /// (R : eps(u), eta); null without.
+    const fem::BlockMatrix* strain_heating() const { return strain_heating_ ? &*strain_heating_ : nullptr; }
 
     /// The temperature at the end of the step, from solve().
     void complete(const State& state);
@@ -109,7 +114,7 @@ class Heat {
         }
     };
 
-    void gather_sources(const model::Motion& motion);
+    void gather_sources(const model::Motion& motion, bool strain_heat_known);
     Sum sum_over_nodes(const std::vector<double>& flows) const;
     Sum sum_at_contact(const std::vector<double>& flows) const;
     void multiply(std::initializer_list<fem::Product> products) {

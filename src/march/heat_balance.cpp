@@ -1,4 +1,5 @@
 /// Heat: its balance over the steps (MODEL.md, 6).
+#include <algorithm>
 #include <cmath>
 
 #include "march/assembler.h"
@@ -99,6 +100,13 @@ void Heat::add_to_audit() {
             weight == 1.0 ? now.*flow : (1 - weight) * (audit_.mean.*flow) + weight * (now.*flow);
     }
     audit_.duration = duration;
+}
+
+double Heat::norm(const std::vector<double>& theta, const std::vector<double>& product) const {
+    // the capacity matrix is c times the Gram matrix
+    const double square =
+        team_->sum(as_eigen(theta).dot(as_eigen(product))) / capacity_density_.value_or(1.0);
+    return std::sqrt(std::max(0.0, square));
 }
 
 void Heat::close_audit(const State& state) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fem/both_ways.h"
 #include "march/assembler.h"
 #include "march/course.h"
 #include "march/vectors.h"
@@ -191,8 +192,14 @@ void Momentum::begin(const StepRule& rule, const State& state) {
     }
 }
 
-SolveReport Momentum::solve(const std::vector<double>& temperature) {
-    multiply({{.matrix = pointer(coupling_), .x = &temperature, .y = &thermal_}});
+SolveReport Momentum::solve(const std::vector<double>& temperature, const StrainHeat* heat) {
+    if (heat != nullptr) {
+        const fem::BothWays both{pointer(coupling_), &temperature,       &thermal_,
+                                 heat->factor,       heat->displacement, heat->source};
+        traversal_.run(std::array{pass_of(both)});
+    } else {
+        multiply({{.matrix = pointer(coupling_), .x = &temperature, .y = &thermal_}});
+    }
     const std::vector<double>&load = *load_, &mass_w = base().mass_w, &stiffness_u = base().stiffness_u;
     const std::vector<char>& fixed = balance_->prescribed().fixed();
     over_dofs(traversal_, dimension_, [&, tau = rule_.tau](std::size_t i) {

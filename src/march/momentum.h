@@ -36,8 +36,16 @@ class Momentum {
     /// NumericsError where the system is singular.
     void begin(const StepRule& rule, const State& state);
 
-    /// Solves with the temperature in the thermal stress. Throws StepFailure.
-    SolveReport solve(const std::vector<double>& temperature);
+    /// Heat of strain that is a multiple of the thermal stress' transpose: what one reads the other needs.
+    struct StrainHeat {
+        double factor;              ///< R = factor M
+        const Nodal* displacement;  ///< known before the step is solved
+        Nodal* source;              ///< (R : eps(u), eta), assembled; its size already
+    };
+
+    /// Solves with the temperature in the thermal stress, and computes the heat of strain beside if that is
+    /// not null. Throws StepFailure.
+    SolveReport solve(const std::vector<double>& temperature, const StrainHeat* heat = nullptr);
 
     /// Displacement and velocity at the end of the step, from solve().
     void complete(const State& state);
@@ -82,6 +90,8 @@ class Momentum {
     double spring_energy(const State& state) const;
 
     const model::Springs& springs() const { return springs_; }
+    /// (theta M, eps(v)); null without.
+    const fem::BlockMatrix* coupling() const { return coupling_ ? &*coupling_ : nullptr; }
 
     Balance& balance() { return *balance_; }
     const Balance& balance() const { return *balance_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "error.h"
+#include "fem/both_ways.h"
 #include "march/audit_limit.h"
 #include "march/course.h"
 #include "mesh/shapes.h"
@@ -52,6 +53,9 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
     if (scene.heat) {
         heat_.emplace(scene, part_.mesh, part_.space, graph_, *choice_.strategy, surfaces_, state_,
                       stage_motion(), sources.thermal);
+    }
+    if (momentum_ && heat_ && momentum_->coupling() && heat_->strain_heating() && !scheme_.second_order()) {
+        strain_heat_factor_ = fem::factor_of_transposed(*momentum_->coupling(), *heat_->strain_heating());
     }
     look_for_free_motions();
     prepare();
@@ -198,19 +202,26 @@ model::Motion Simulation::stage_motion() const {
 }
 
 /// Momentum takes the temperature that is known before the step, heat the motion: of the last state in the
-/// paper's scheme; in those of second order the expected temperature and the motion just computed.
+/// paper's scheme, where its strain may be taken together with the temperature; in those of second order the
+/// expected temperature and the motion just computed.
 void Simulation::solve_balances(StepCounts& counts) {
     if (momentum_ && heat_ && scene_->time.coupling_tolerance) {
         solve_coupled(counts);
         return;
     }
+    std::optional<Momentum::StrainHeat> together;
+    if (strain_heat_factor_) {
+        together = {*strain_heat_factor_, &state_.displacement, &heat_->source_of_strain()};
+    }
     if (momentum_) {
-        counts.momentum.add(momentum_->solve(heat_ ? heat_->expected_temperature() : no_heat_));
+        counts.momentum.add(momentum_->solve(heat_ ? heat_->expected_temperature() : no_heat_,
+                                             together ? &*together : nullptr));
     }
     if (heat_) {
         const bool just_computed = momentum_ && scheme_.second_order();
-        counts.heat.add(heat_->solve(just_computed ? stage_motion()
-                                                   : model::Motion{&state_.displacement, &state_.velocity}));
+        counts.heat.add(heat_->solve(
+            just_computed ? stage_motion() : model::Motion{&state_.displacement, &state_.velocity},
+            together.has_value()));
     }
 }
 

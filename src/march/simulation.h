@@ -185,6 +185,8 @@ class Simulation {
     State state_;
     std::vector<double> no_motion_;  ///< displacement and velocity of a scene without mechanics
     std::vector<double> no_heat_;    ///< temperature of a scene without heat: none
+    /// R over M, where heat takes the strain that is known before the step and they are multiples.
+    std::optional<double> strain_heat_factor_;
     std::optional<Momentum> momentum_;
     std::optional<Heat> heat_;
     std::vector<std::unique_ptr<model::ContactProbe>> probes_;

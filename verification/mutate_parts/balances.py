@@ -77,7 +77,7 @@ MUTATIONS = (
     ),
     Mutation(
         "heat-norm",
-        "src/march/heat.cpp",
+        "src/march/heat_balance.cpp",
         "/ capacity_density_.value_or(1.0);",
         "* capacity_density_.value_or(1.0);",
         "factor",

@@ -100,6 +100,22 @@ MUTATIONS = (
         "the lower triangle is the transposed upper one",
     ),
     Mutation(
+        "both-ways-factor",
+        "src/fem/both_ways.cpp",
+        "own += products.factor * back_sum[r];",
+        "own += back_sum[r];",
+        "factor",
+        "all of the transposed product has its factor",
+    ),
+    Mutation(
+        "both-ways-own-block",
+        "src/fem/both_ways.cpp",
+        "std::size_t pair = own + 1;",
+        "std::size_t pair = own;",
+        "range",
+        "the block of a node with itself stays where it is",
+    ),
+    Mutation(
         "compress-unequal",
         "src/fem/block_matrix.cpp",
         "(r == c ? block[0] : 0.0)",

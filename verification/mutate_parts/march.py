@@ -28,6 +28,14 @@ MUTATIONS = (
         "the coupling of the schemes of second order takes u_s, just computed",
     ),
     Mutation(
+        "strain-heat-of-second-order",
+        "src/march/simulation.cpp",
+        "heat_->strain_heating() && !scheme_.second_order()",
+        "heat_->strain_heating()",
+        "lagged",
+        "heat takes the strain that is known before the step in the paper's scheme only",
+    ),
+    Mutation(
         "restart-other-products",
         "src/march/momentum.cpp",
         "if (plane_) {  // with the bits",
@@ -78,8 +86,8 @@ MUTATIONS = (
     Mutation(
         "simulation-heat-first",
         "src/march/simulation.cpp",
-        "counts.momentum.add(momentum_->solve(heat_ ? heat_->expected_temperature() : no_heat_));",
-        "counts.momentum.add(momentum_->solve(heat_ ? heat_->stage_temperature() : no_heat_));",
+        "momentum_->solve(heat_ ? heat_->expected_temperature() : no_heat_,",
+        "momentum_->solve(heat_ ? heat_->stage_temperature() : no_heat_,",
         "lagged",
         "momentum takes what is known of the temperature, without what is prescribed at the end of the step",
     ),

@@ -14,7 +14,8 @@ void add_rows(const BothWays& products, NodeRange range, const Target& there, co
     const NodeGraph& graph = *products.matrix->graph;
     const std::ptrdiff_t first = graph.offsets[static_cast<std::size_t>(range.begin)];
     const std::int32_t* column = graph.columns.data() + first;
-    const double* block = products.matrix->values.data() + first * 2 * rows;
+    constexpr std::ptrdiff_t pair = std::ptrdiff_t{2} * rows;
+    const double* block = products.matrix->values.data() + first * pair;
     const double *x = products.x->data(), *u = products.back_x->data();
     for (std::ptrdiff_t i = range.begin; i < range.end; ++i) {
         const std::int32_t* end = graph.columns.data() + graph.offsets[static_cast<std::size_t>(i) + 1];
@@ -24,7 +25,7 @@ void add_rows(const BothWays& products, NodeRange range, const Target& there, co
             u_here[r] = products.factor * u[i * rows + r];
             own += block[r] * u_here[r];
         }
-        for (++column, block += 2 * rows; column < end; ++column, block += 2 * rows) {
+        for (++column, block += pair; column < end; ++column, block += pair) {
             prefetch_after<std::size_t{2} * rows>(block);
             const std::ptrdiff_t j = *column;
             double back_there[rows];

@@ -26,13 +26,13 @@ struct AtNode {
 struct RowSums {
     double diagonal[4] = {}, others[4] = {};
 
-    double total(int row) const {
+    double total(std::size_t row) const {
         return diagonal[2 * row] + diagonal[2 * row + 1] + others[2 * row] + others[2 * row + 1];
     }
     /// x_i . (A_ii x_i + 2 sum_{j > i} A_ij x_j).
     double square(const double* x) const {
         double sum = 0;
-        for (int r = 0; r < 2; ++r) {
+        for (std::size_t r = 0; r < 2; ++r) {
             sum += x[r] * (diagonal[2 * r] + diagonal[2 * r + 1] + 2 * (others[2 * r] + others[2 * r + 1]));
         }
         return sum;
@@ -87,9 +87,9 @@ double add_rows(const PlaneProducts& products, NodeRange range, const Target& el
                 viscous.later[j + c] += to_w[c] + to_w[2 + c];
             }
         }
-        for (int r = 0; r < 2; ++r) {
-            elastic.here[2 * i + r] += of_u.total(r);
-            viscous.here[2 * i + r] += of_w.total(r);
+        for (std::ptrdiff_t r = 0; r < 2; ++r) {
+            elastic.here[2 * i + r] += of_u.total(static_cast<std::size_t>(r));
+            viscous.here[2 * i + r] += of_w.total(static_cast<std::size_t>(r));
         }
         square += of_norm.square(u + 2 * i);
     }

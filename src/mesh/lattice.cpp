@@ -28,6 +28,14 @@ Point Lattice::at(double i, double j, double k) const {
     return x;
 }
 
+std::vector<double> Lattice::planes(std::size_t axis) const {
+    std::vector<double> result;
+    for (std::int32_t i = 0; i <= cells_[axis]; ++i) {
+        result.push_back(coordinate(axes_[axis], i));
+    }
+    return result;
+}
+
 std::vector<Point> Lattice::points() const {
     std::vector<Point> points;
     for (std::int32_t k = 0; k <= cells_[2]; ++k) {

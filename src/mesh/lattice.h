@@ -26,6 +26,9 @@ class Lattice {
     /// Cells along an axis (1 along z in 2D).
     std::int32_t cells(std::size_t axis) const { return axis < dimension_ ? cells_[axis] : 1; }
 
+    /// Coordinates (m) of the planes of points across an axis, ascending.
+    std::vector<double> planes(std::size_t axis) const;
+
     /// All points, in their order. Those of the far sides lie exactly where the scene has these.
     std::vector<Point> points() const;
 

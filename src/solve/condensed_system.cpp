@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "solve/grid_dissection.h"
+
 namespace thermocontact::solve {
 namespace {
 
@@ -26,14 +28,22 @@ FreeDofs number_free(const std::vector<char>& fixed) {
     return free;
 }
 
-/// Nested dissection of the nodes that are not in contact; -1 marks the others.
-std::vector<std::int32_t> order_interior(const fem::NodeGraph& graph, const std::vector<char>& contact) {
-    std::vector<std::int32_t> nodes, index(contact.size(), -1);
+std::vector<std::int32_t> nodes_outside(const std::vector<char>& contact) {
+    std::vector<std::int32_t> nodes;
     for (std::size_t node = 0; node < contact.size(); ++node) {
         if (contact[node] == 0) {
-            index[node] = static_cast<std::int32_t>(nodes.size());
             nodes.push_back(static_cast<std::int32_t>(node));
         }
+    }
+    return nodes;
+}
+
+/// Nested dissection of the nodes that are not in contact, by METIS.
+std::vector<std::int32_t> order_interior(const fem::NodeGraph& graph, const std::vector<char>& contact) {
+    const std::vector<std::int32_t> nodes = nodes_outside(contact);
+    std::vector<std::int32_t> index(contact.size(), -1);  // -1 marks the others
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        index[static_cast<std::size_t>(nodes[i])] = static_cast<std::int32_t>(i);
     }
     SymmetricMatrix pattern{static_cast<std::int32_t>(nodes.size()), {0}, {}, {}};
     for (const std::int32_t node : nodes) {
@@ -145,7 +155,11 @@ double mean_diagonal(const SymmetricMatrix& matrix, const std::vector<std::int32
 
 const std::vector<std::int32_t>& InteriorOrders::without(const std::vector<char>& contact) {
     const auto known = orders_.find(contact);
-    return known != orders_.end() ? known->second : orders_[contact] = order_interior(*graph_, contact);
+    if (known != orders_.end()) {
+        return known->second;
+    }
+    return orders_[contact] = places_.empty() ? order_interior(*graph_, contact)
+                                              : grid_dissection(places_, nodes_outside(contact));
 }
 
 CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vector<char>& fixed,

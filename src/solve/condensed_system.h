@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fem/block_matrix.h"
+#include "mesh/grid_places.h"
 #include "solve/panel_factor.h"
 
 namespace thermocontact::solve {
@@ -21,13 +22,17 @@ namespace thermocontact::solve {
 /// of a step mostly share theirs.
 class InteriorOrders {
   public:
-    explicit InteriorOrders(const fem::NodeGraph& graph) : graph_(&graph) {}
+    /// Along the planes of a grid where `places` [nodes] says where on it the nodes lie; by METIS where it is
+    /// empty.
+    explicit InteriorOrders(const fem::NodeGraph& graph, std::vector<mesh::GridPlace> places = {})
+        : graph_(&graph), places_(std::move(places)) {}
 
     /// The nodes that `contact` [nodes] does not mark, in fill-reducing order.
     const std::vector<std::int32_t>& without(const std::vector<char>& contact);
 
   private:
     const fem::NodeGraph* graph_;
+    std::vector<mesh::GridPlace> places_;
     std::map<std::vector<char>, std::vector<std::int32_t>> orders_;
 };
 

@@ -41,11 +41,10 @@ fem::BlockMatrix system_matrix(const fem::NodeGraph& graph, double tau,
     if (capacity) {
         matrix.add(1 / tau, *capacity);
     }
-    if (conduction) {
-        matrix.add(1, *conduction);
-    }
-    if (exchange) {
-        matrix.add(1, *exchange);
+    for (const auto* part : {&conduction, &exchange}) {
+        if (*part) {
+            matrix.add(1, **part);
+        }
     }
     return matrix;
 }
@@ -68,17 +67,18 @@ Heat::Heat(const scene::Scene& scene, const mesh::Mesh& mesh, const fem::Space& 
           strategy.beside(count, task);
       }) {
     const Assembler assemble{scene, mesh, space, graph};
-    capacity_ = assemble.when(scene.heat->capacity.has_value(), "heat_capacity.capacity", 1, 1);
-    conduction_ = assemble.when(scene.heat->conductivity.has_value(), "conduction.conduction", 1, 1);
-    strain_heating_ =
-        assemble.when(scene.heat->strain_heating.has_value(), "strain_heating.coupling", 1, scene.dimension);
-    strain_rate_heating_ = assemble.when(scene.heat->strain_rate_heating.has_value(),
-                                         "strain_heating.rate_coupling", 1, scene.dimension);
+    const scene::Heat& heat = *scene.heat;
+    assemble_beside(strategy, {assemble.into(strain_heating_, heat.strain_heating, "strain_heating.coupling",
+                                             1, scene.dimension),
+                               assemble.into(strain_rate_heating_, heat.strain_rate_heating,
+                                             "strain_heating.rate_coupling", 1, scene.dimension),
+                               assemble.into(conduction_, heat.conductivity, "conduction.conduction", 1, 1),
+                               assemble.into(capacity_, heat.capacity, "heat_capacity.capacity", 1, 1),
+                               assemble.into(gram_, !capacity_density_, "norms.temperature", 1, 1)});
     exchange_ = model::convection_matrix(scene, mesh, space, graph);
     if (exchange_) {
         ambient_ = parallel::together(*team_, [&] { return model::Loads::ambient(scene, mesh, space); });
     }
-    gram_ = assemble.when(!capacity_density_, "norms.temperature", 1, 1);
     const std::vector<double>* stage_displacement = stage_motion.displacement;
     if (stage_displacement == nullptr) {
         no_displacement_.assign(space.nodes.size() * static_cast<std::size_t>(scene.dimension), 0.0);

@@ -74,13 +74,14 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
       }) {
     const Assembler assemble{scene, mesh, space, graph};
     const int d = dimension_;
-    mass_ = assemble.when(scene.material->density.has_value(), "inertia.mass", d, d);
-    damping_ = assemble.when(scene.material->viscosity.has_value(), "viscosity.damping", d, d);
-    stiffness_ = assemble.when(scene.material->elasticity.has_value(), "elasticity.stiffness", d, d);
-    coupling_ = assemble.when(scene.heat && scene.heat->thermal_stress, "thermal_stress.coupling", d, 1);
-    velocity_gram_ = assemble.when(!density_, "norms.velocity", d, d);
-    plane_ = model::plane_body(scene, mesh, space, graph);
-    strain_gram_ = assemble.when(!plane_, "norms.strains", d, d);
+    const scene::Material& material = *scene.material;
+    const bool expands = scene.heat && scene.heat->thermal_stress;
+    assemble_beside(strategy, {assemble.into(stiffness_, material.elasticity, "elasticity.stiffness", d, d),
+                               assemble.into(damping_, material.viscosity, "viscosity.damping", d, d),
+                               [&] { strain_gram_ = assemble("norms.strains", d, d); },
+                               assemble.into(coupling_, expands, "thermal_stress.coupling", d, 1),
+                               assemble.into(mass_, material.density, "inertia.mass", d, d),
+                               assemble.into(velocity_gram_, !density_, "norms.velocity", d, d)});
     for (auto* compressible : {&mass_, &velocity_gram_}) {
         if (*compressible) {
             (*compressible)->compress();

@@ -104,8 +104,8 @@ StrategyChoice choose_strategy(const scene::Scene& scene, const fem::NodeGraph& 
     if (asked == "newton-krylov") {
         return newton_krylov(part, backend, "asked for");
     }
-    solve::InteriorOrders orders(
-        graph, mesh::grid_places(scene.mesh, part.mesh.points.size(), part.space.nodes));
+    solve::InteriorOrders orders(graph,
+                                 mesh::grid_places(scene.mesh, part.mesh.points.size(), part.space.nodes));
     const Prospect prospect = foresee(scene, graph, part.space, surfaces, orders, memory);
     const std::string contact = short_text(prospect.contact_unknowns) + " contact unknowns";
     if (asked == "condensed") {

@@ -80,8 +80,17 @@ std::int32_t Lattice::side_of(std::span<const std::int32_t> vertices) const {
 
 void add_sides(const Lattice& lattice, Mesh& mesh) {
     const CellShape& shape = cell_shape(mesh.cell);
+    std::vector<char> on_a_side(mesh.points.size());
+    for (std::size_t i = 0; i < on_a_side.size(); ++i) {
+        const auto vertex = static_cast<std::int32_t>(i);
+        on_a_side[i] = lattice.side_of({&vertex, 1}) >= 0 ? 1 : 0;
+    }
+    const auto inside = [&](std::int32_t vertex) { return on_a_side[static_cast<std::size_t>(vertex)] == 0; };
     std::vector<std::int32_t> vertices;
     for (std::int32_t cell = 0; cell < mesh.cell_count(); ++cell) {
+        if (std::ranges::all_of(mesh.vertices_of(cell), inside)) {
+            continue;  // as most cells
+        }
         for (std::size_t local = 0; local < shape.facets.size(); ++local) {
             const CellFacet facet{cell, static_cast<std::int32_t>(local)};
             gather_vertices(mesh, shape, facet, vertices);

@@ -14,8 +14,9 @@ constexpr double operations_a_second = 2.5e10;
 
 // Condensing: a step reads the factor twice; Newton multiplies by S, and factors its derivative, this often.
 constexpr double passes = 2, dense_products = 8, dense_factorisations = 2;
-// Of each number of L there are CHOLMOD's copy, in double precision, and the panels when these are made. Of
-// the dense block: the matrix given to CHOLMOD, L, S, Newton's derivative and its factors.
+// Of each number of L there is one in the panels, and while these are made less than another one, in double
+// precision, in the fronts' updates. Of the dense block: the matrix that is factored, L, S, Newton's
+// derivative and its factors.
 constexpr double copies_of_dense_block = 5;
 
 // Newton-Krylov, in products with an assembled matrix that would be read: an iteration, and the hierarchy's

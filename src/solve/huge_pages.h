@@ -27,6 +27,11 @@ struct HugePageAllocator {
         }
         return static_cast<T*>(memory);
     }
+    /// A vector that grows does not write what it gains: pages come to be where they are first written.
+    template <typename U>
+    void construct(U* place) {
+        ::new (static_cast<void*>(place)) U;
+    }
     void deallocate(T* memory, std::size_t) { release(memory); }
     bool operator==(const HugePageAllocator&) const = default;
 };

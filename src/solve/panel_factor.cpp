@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "solve/branches.h"
+#include "fem/throwing_tasks.h"
 
 namespace thermocontact::solve {
 namespace {
@@ -35,34 +35,71 @@ std::vector<std::int32_t> columns_in_head(const Supernodes& supernodes, std::int
     return result;
 }
 
-/// The elimination tree of the head by supernodes: above one stands that of the first row below it.
-Branches cut(const Supernodes& supernodes, std::span<const std::int32_t> in_head, std::int32_t head,
-             std::int64_t smallest_cut) {
-    std::vector<std::int32_t> owner(static_cast<std::size_t>(head)), parents;
+/// The elimination tree by supernodes, of those with columns in the head: above one stands that of the first
+/// row below it.
+Branches cut(const Supernodes& supernodes, std::span<const std::int32_t> in_head, std::int64_t smallest_cut) {
+    std::vector<std::int32_t> owner, parents;
     std::vector<std::int64_t> weights;
     for (std::size_t s = 0; s < in_head.size(); ++s) {
         const Supernode supernode = supernodes[s];
-        std::fill_n(owner.begin() + supernode.first, in_head[s], static_cast<std::int32_t>(s));
+        owner.resize(static_cast<std::size_t>(supernode.first + supernode.columns),
+                     static_cast<std::int32_t>(s));
         weights.push_back(stored(in_head[s], static_cast<std::int32_t>(supernode.rows.size())));
     }
     for (std::size_t s = 0; s < in_head.size(); ++s) {
-        const auto below = supernodes[s].rows.subspan(static_cast<std::size_t>(in_head[s]));
-        const bool is_root = below.empty() || below.front() >= head;
+        const auto below = supernodes[s].below();
+        const bool is_root = below.empty() || static_cast<std::size_t>(below.front()) >= owner.size();
         parents.push_back(is_root ? -1 : owner[static_cast<std::size_t>(below.front())]);
     }
     const auto total = std::accumulate(weights.begin(), weights.end(), std::int64_t{0});
     return cut_into_branches(parents, weights, total < smallest_cut ? 1 : branch_count);
 }
 
-std::size_t bytes_of(const Supernodes& supernodes, std::span<const std::int32_t> in_head, Storage storage) {
-    std::int64_t bytes = 0;
-    for (std::size_t s = 0; s < in_head.size(); ++s) {
-        bytes += panel_bytes(storage, in_head[s], static_cast<std::int32_t>(supernodes[s].rows.size()));
+/// The matrix with row order[i] as its i-th; rows of a column not sorted.
+SymmetricMatrix permute(const SymmetricMatrix& matrix, std::span<const std::int32_t> order) {
+    std::vector<std::int32_t> place(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        place[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i);
     }
-    return static_cast<std::size_t>(bytes);
+    SymmetricMatrix result{matrix.size, std::vector<std::int32_t>(order.size() + 1, 0),
+                           std::vector<std::int32_t>(matrix.rows.size()),
+                           std::vector<double>(matrix.values.size())};
+    const auto each_entry = [&](auto&& call) {
+        for (std::size_t column = 0; column < order.size(); ++column) {
+            for (auto i = static_cast<std::size_t>(matrix.offsets[column]);
+                 i < static_cast<std::size_t>(matrix.offsets[column + 1]); ++i) {
+                const auto [first, last] =
+                    std::minmax(place[column], place[static_cast<std::size_t>(matrix.rows[i])]);
+                call(static_cast<std::size_t>(first), last, matrix.values[i]);
+            }
+        }
+    };
+    each_entry([&](std::size_t column, std::int32_t, double) { ++result.offsets[column + 1]; });
+    std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+    std::vector<std::int32_t> next(result.offsets.begin(), result.offsets.end() - 1);
+    each_entry([&](std::size_t column, std::int32_t row, double value) {
+        const auto at = static_cast<std::size_t>(next[column]++);
+        result.rows[at] = row;
+        result.values[at] = value;
+    });
+    return result;
+}
+
+void in_turn(int count, const std::function<void(int)>& task) {
+    for (int i = 0; i < count; ++i) {
+        task(i);
+    }
 }
 
 }  // namespace
+
+/// What is needed while the factor is made.
+struct PanelFactor::Making {
+    const Supernodes& supernodes;
+    std::vector<std::int32_t> in_head;
+    std::vector<std::int32_t> place;  ///< in the factor, of the supernodes' columns
+    Fronts fronts;
+};
 
 PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order,
                          std::int32_t tail, std::shared_ptr<Workers> workers, Storage storage,
@@ -72,18 +109,19 @@ PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int
       storage_(storage),
       workers_(std::move(workers)),
       tail_(Eigen::MatrixXd::Zero(tail, tail)) {
-    const Supernodes supernodes(matrix, order, tail);
-    const std::vector<std::int32_t> in_head = columns_in_head(supernodes, head_);
-    const Branches cuts = cut(supernodes, in_head, head_, smallest_cut);
-    std::vector<std::int32_t> place(static_cast<std::size_t>(size_));  // in the factor, of CHOLMOD's columns
-    std::iota(place.begin(), place.end(), 0);
+    const SymmetricMatrix permuted = permute(matrix, order);
+    const Supernodes supernodes(permuted, tail);
+    Making making{supernodes, columns_in_head(supernodes, head_),
+                  std::vector<std::int32_t>(static_cast<std::size_t>(size_)), Fronts(permuted, supernodes)};
+    const Branches cuts = cut(supernodes, making.in_head, smallest_cut);
+    std::iota(making.place.begin(), making.place.end(), 0);
     std::int32_t next = 0;
     const auto number = [&](std::span<const std::int32_t> chosen) {
         for (const std::int32_t s : chosen) {
             const auto at = static_cast<std::size_t>(s);
-            std::iota(place.begin() + supernodes[at].first,
-                      place.begin() + supernodes[at].first + in_head[at], next);
-            next += in_head[at];
+            const auto begin = making.place.begin() + supernodes[at].first;
+            std::iota(begin, begin + making.in_head[at], next);
+            next += making.in_head[at];
         }
     };
     std::ranges::for_each(cuts.branches, number);
@@ -91,41 +129,39 @@ PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int
     number(cuts.trunk);
     order_.resize(static_cast<std::size_t>(size_));
     for (std::size_t i = 0; i < order_.size(); ++i) {
-        order_[static_cast<std::size_t>(place[i])] = supernodes.order()[i];
+        order_[static_cast<std::size_t>(making.place[i])] =
+            order[static_cast<std::size_t>(supernodes.order()[i])];
     }
-    bytes_.reserve(bytes_of(supernodes, in_head, storage_));
     for (const std::vector<std::int32_t>& branch : cuts.branches) {
-        branches_.push_back(store(supernodes, branch, in_head, place, first_outside_));
+        branches_.push_back(lay_out(making, branch, first_outside_));
     }
-    trunk_ = store(supernodes, cuts.trunk, in_head, place, size_);
-    store_tail(supernodes);
+    trunk_ = lay_out(making, cuts.trunk, size_);
+    try {
+        make_numbers(making, cuts);
+    } catch (const NotPositiveDefinite& failure) {
+        throw NotPositiveDefinite{order[static_cast<std::size_t>(failure.row)]};
+    }
 }
 
-PanelFactor::Branch PanelFactor::store(const Supernodes& supernodes, std::span<const std::int32_t> chosen,
-                                       std::span<const std::int32_t> in_head,
-                                       std::span<const std::int32_t> place, std::int32_t end) {
+PanelFactor::Branch PanelFactor::lay_out(const Making& making, std::span<const std::int32_t> chosen,
+                                         std::int32_t end) {
     Branch branch{panels_.size(), panels_.size(), {}, {}};
     std::size_t most_rows = 0;
     for (const std::int32_t s : chosen) {
         const auto at = static_cast<std::size_t>(s);
-        const Supernode supernode = supernodes[at];
-        const std::int32_t columns = in_head[at], rows = static_cast<std::int32_t>(supernode.rows.size());
-        Panel panel{place[static_cast<std::size_t>(supernode.first)],
+        const Supernode supernode = making.supernodes[at];
+        const std::int32_t columns = making.in_head[at],
+                           rows = static_cast<std::int32_t>(supernode.rows.size());
+        Panel panel{making.place[static_cast<std::size_t>(supernode.first)],
                     columns,
                     rows,
-                    static_cast<std::int64_t>(bytes_.size()),
+                    all_bytes_,
                     static_cast<std::int64_t>(rows_.size()),
                     0};
         entries_ += stored(columns, rows);
-        bytes_.resize(bytes_.size() + static_cast<std::size_t>(panel_bytes(storage_, columns, rows)));
-        std::byte* L = bytes_.data() + panel.bytes;
-        for (std::int32_t c = 0; c < columns; c += group) {
-            const std::int32_t width = std::min(group, columns - c);
-            store_group(storage_, supernode.column(c) + c, rows, width, rows - c, L);
-            L += group_bytes(storage_, width, rows - c);
-        }
+        all_bytes_ += panel_bytes(storage_, columns, rows);
         for (const std::int32_t row : supernode.rows.subspan(static_cast<std::size_t>(columns))) {
-            rows_.push_back(place[static_cast<std::size_t>(row)]);
+            rows_.push_back(making.place[static_cast<std::size_t>(row)]);
             panel.within += rows_.back() < end ? 1 : 0;
         }
         panels_.push_back(panel);
@@ -137,14 +173,49 @@ PanelFactor::Branch PanelFactor::store(const Supernodes& supernodes, std::span<c
     return branch;
 }
 
-void PanelFactor::store_tail(const Supernodes& supernodes) {
-    for (std::size_t s = 0; s < supernodes.count(); ++s) {
-        const Supernode supernode = supernodes[s];
-        for (std::int32_t c = std::clamp(head_ - supernode.first, 0, supernode.columns);
-             c < supernode.columns; ++c) {
-            for (auto r = static_cast<std::size_t>(c); r < supernode.rows.size(); ++r) {
-                tail_(supernode.rows[r] - head_, supernode.first + c - head_) = supernode.column(c)[r];
-            }
+/// The branches beside each other, then the trunk and the tail, whose large fronts are shared.
+void PanelFactor::make_numbers(Making& making, const Branches& cuts) {
+    bytes_.resize(static_cast<std::size_t>(all_bytes_));
+    const fem::Beside shared = [this](int count, const std::function<void(int)>& task) {
+        workers_->run(count, task);
+    };
+    fem::run_throwing(shared, static_cast<int>(branches_.size()), [&](int number) {
+        const auto at = static_cast<std::size_t>(number);
+        make(making, cuts.branches[at], branches_[at], in_turn);
+    });
+    make(making, cuts.trunk, trunk_, shared);
+    Fronts::Workspace work;
+    for (std::size_t s = making.in_head.size(); s < making.supernodes.count(); ++s) {
+        store_tail(making.supernodes[s], making.fronts.factor(s, work, shared));
+    }
+}
+
+void PanelFactor::make(Making& making, std::span<const std::int32_t> chosen, const Branch& branch,
+                       const fem::Beside& beside) {
+    Fronts::Workspace work;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const auto at = static_cast<std::size_t>(chosen[i]);
+        const double* numbers = making.fronts.factor(at, work, beside);
+        const Panel& panel = panels_[branch.begin + i];
+        std::byte* L = bytes_.data() + panel.bytes;
+        for (std::int32_t c = 0; c < panel.columns; c += group) {
+            const std::int32_t width = std::min(group, panel.columns - c);
+            const double* column = numbers + static_cast<std::ptrdiff_t>(c) * panel.rows + c;
+            store_group(storage_, column, panel.rows, width, panel.rows - c, L);
+            L += group_bytes(storage_, width, panel.rows - c);
+        }
+        store_tail(making.supernodes[at], numbers);
+    }
+}
+
+/// The columns of a supernode that are in the tail.
+void PanelFactor::store_tail(const Supernode& supernode, const double* numbers) {
+    const std::size_t rows = supernode.rows.size();
+    for (std::int32_t c = std::clamp(head_ - supernode.first, 0, supernode.columns); c < supernode.columns;
+         ++c) {
+        for (auto r = static_cast<std::size_t>(c); r < rows; ++r) {
+            tail_(supernode.rows[r] - head_, supernode.first + c - head_) =
+                numbers[static_cast<std::size_t>(c) * rows + r];
         }
     }
 }
@@ -221,7 +292,9 @@ Eigen::MatrixXd PanelFactor::schur_complement() const {
     if (tail_.size() == 0) {
         return tail_;  // BLAS refuses empty products
     }
-    return tail_.triangularView<Eigen::Lower>() * tail_.transpose();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(tail_.rows(), tail_.cols());
+    result.selfadjointView<Eigen::Lower>().rankUpdate(tail_);
+    return result.selfadjointView<Eigen::Lower>();
 }
 
 std::vector<std::int32_t> nested_dissection(const SymmetricMatrix& graph) {

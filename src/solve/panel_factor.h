@@ -1,7 +1,8 @@
 /// A sparse Cholesky factor stored for streaming: the triangular solves read each number of L once, in order.
 ///
-/// CHOLMOD computes L; its own solves call BLAS on many small panels and reach a third of the memory
-/// bandwidth. Here the columns of each supernode lie in groups of four (column_group.h), one after another.
+/// L is computed by fronts (fronts.h), whose columns are stored at once. Solves that call BLAS on many small
+/// panels, as CHOLMOD's, reach a third of the memory bandwidth; here the columns of each supernode lie in
+/// groups of four (column_group.h), one after another.
 ///
 /// Supernodes of a large factor are sorted into branches of the elimination tree, which threads go through
 /// at the same time, and the trunk, which couples these. The order of all sums is that of the branches, so
@@ -14,7 +15,9 @@
 #include <span>
 #include <vector>
 
+#include "solve/branches.h"
 #include "solve/column_group.h"
+#include "solve/fronts.h"
 #include "solve/huge_pages.h"
 #include "solve/supernodes.h"
 #include "solve/symmetric_matrix.h"
@@ -64,10 +67,12 @@ class PanelFactor {
         std::vector<double> outside;  ///< what its panels add to the rows beyond all branches
     };
 
-    Branch store(const Supernodes& supernodes, std::span<const std::int32_t> chosen,
-                 std::span<const std::int32_t> in_head, std::span<const std::int32_t> place,
-                 std::int32_t end);
-    void store_tail(const Supernodes& supernodes);
+    struct Making;
+    Branch lay_out(const Making& making, std::span<const std::int32_t> chosen, std::int32_t end);
+    void make(Making& making, std::span<const std::int32_t> chosen, const Branch& branch,
+              const fem::Beside& beside);
+    void make_numbers(Making& making, const Branches& cuts);
+    void store_tail(const Supernode& supernode, const double* numbers);
     void forward(const Panel& panel, Branch& branch, std::vector<double>& x) const;
     void backward(const Panel& panel, Branch& branch, std::vector<double>& x) const;
 
@@ -77,6 +82,7 @@ class PanelFactor {
     std::vector<std::int32_t> order_;
     std::vector<Panel> panels_;  ///< of the head: by branch, then the trunk
     std::int64_t entries_ = 0;
+    std::int64_t all_bytes_ = 0;
     HugeVector<std::byte> bytes_;
     std::vector<std::int32_t> rows_;
     std::vector<Branch> branches_;

@@ -1,4 +1,4 @@
-/// A sparse Cholesky factor by supernodes, as CHOLMOD computes it.
+/// The supernodes of a sparse Cholesky factor, as CHOLMOD finds them.
 #pragma once
 
 #include <cstdint>
@@ -19,28 +19,24 @@ struct NotPositiveDefinite {
 struct Supernode {
     std::int32_t first, columns;         ///< of L
     std::span<const std::int32_t> rows;  ///< ascending, the columns' own first
-    const double* numbers;               ///< [columns][rows]
 
-    const double* column(std::int32_t c) const {
-        return numbers + static_cast<std::ptrdiff_t>(c) * static_cast<std::ptrdiff_t>(rows.size());
-    }
+    /// Those below the triangle.
+    std::span<const std::int32_t> below() const { return rows.subspan(static_cast<std::size_t>(columns)); }
 };
 
 class Supernodes {
   public:
-    /// Factors A with the fill-reducing `order`, whose last `tail` rows stay last as a set. Throws
-    /// NotPositiveDefinite, or std::bad_alloc.
-    Supernodes(const SymmetricMatrix& matrix, std::span<const std::int32_t> order, std::int32_t tail);
+    /// Of a matrix whose order keeps fill low; its last `tail` rows stay last as a set. The rows of a column
+    /// need not be sorted. Throws std::bad_alloc.
+    Supernodes(const SymmetricMatrix& matrix, std::int32_t tail);
 
-    /// order()[i]: row of A that is i-th in the factor.
+    /// order()[i]: row of the matrix that is i-th in the factor, a postorder of the elimination tree.
     std::span<const std::int32_t> order() const;
 
     std::size_t count() const { return factor_->nsuper; }
     Supernode operator[](std::size_t number) const;
 
   private:
-    void require_pivots(const SymmetricMatrix& matrix) const;
-
     CholmodCommon common_;
     FactorPointer factor_;
 };

@@ -68,6 +68,14 @@ MUTATIONS = (
         "corners of a cube",
     ),
     Mutation(
+        "grid-between-planes",
+        "src/mesh/grid_places.cpp",
+        "? 2 * number : 2 * number - 1;",
+        "? 2 * number : 2 * number;",
+        "index",
+        "nodes between two planes are on neither",
+    ),
+    Mutation(
         "grading-one-side",
         "src/mesh/grading.cpp",
         "-std::expm1(-std::log(here)) - std::expm1(-std::log(opposite))",

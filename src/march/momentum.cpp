@@ -78,7 +78,10 @@ Momentum::Momentum(const scene::Scene& scene, const mesh::Mesh& mesh, const fem:
     const bool expands = scene.heat && scene.heat->thermal_stress;
     assemble_beside(strategy, {assemble.into(stiffness_, material.elasticity, "elasticity.stiffness", d, d),
                                assemble.into(damping_, material.viscosity, "viscosity.damping", d, d),
-                               [&] { strain_gram_ = assemble("norms.strains", d, d); },
+                               [&] {
+                                   plane_ = model::plane_body(scene, mesh, space, graph);
+                                   assemble.into(strain_gram_, !plane_, "norms.strains", d, d)();
+                               },
                                assemble.into(coupling_, expands, "thermal_stress.coupling", d, 1),
                                assemble.into(mass_, material.density, "inertia.mass", d, d),
                                assemble.into(velocity_gram_, !density_, "norms.velocity", d, d)});

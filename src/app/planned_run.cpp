@@ -79,7 +79,7 @@ int planned_run(const RunCommand& command, const parallel::Backend* backend) {
             "run: --accuracy and --budget plan on one process; start without mpirun, or run what "
             "\"plan\" prints");
     }
-    return with_bench({command.scene, command.overrides}, command.request->of, backend,
+    return with_bench({command.scene, command.overrides, command.output}, command.request->of, backend,
                       "interrupted while planning", [&](plan::Bench& bench) {
                           plan::Plan plan = plan::Planner(bench, *command.request, true).make();
                           if (!plan.chosen) {

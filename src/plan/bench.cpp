@@ -35,7 +35,8 @@ Bench::Bench(SceneSource source, Quantity quantity, const parallel::Backend* bac
       quantity_(quantity),
       backend_(backend),
       check_(std::move(check)),
-      scene_(scene::read_scene(source_.path, source_.overrides)) {}
+      scene_(scene::read_scene(source_.path, source_.overrides)),
+      writing_(source_.results.empty() ? Writing{} : measured_writing(source_.results)) {}
 
 /// Read as a run with these settings would be, so that what the scene's own keys mean for it is in it.
 const scene::Scene& Bench::template_for(const Stepping& stepping) {

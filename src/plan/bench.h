@@ -10,6 +10,7 @@
 
 #include "parallel/backend.h"
 #include "plan/pilot.h"
+#include "plan/writing.h"
 #include "stopwatch.h"
 
 namespace thermocontact::plan {
@@ -18,6 +19,7 @@ namespace thermocontact::plan {
 struct SceneSource {
     std::filesystem::path path;
     std::vector<std::string> overrides;
+    std::filesystem::path results = {};  ///< folder that a run of it writes to; empty: none that is known
 };
 
 class Bench {
@@ -27,6 +29,9 @@ class Bench {
           std::function<void()> check);
 
     const scene::Scene& scene() const { return scene_; }
+
+    /// Where results go.
+    const Writing& writing() const { return writing_; }
 
     /// Whether the scene can be stepped so: its own keys may stand against it.
     bool can(const Stepping& stepping);
@@ -53,6 +58,7 @@ class Bench {
     const parallel::Backend* backend_;
     std::function<void()> check_;
     scene::Scene scene_;
+    Writing writing_;
     std::map<std::string, scene::Scene> templates_;  ///< by describe(stepping)
     std::map<std::string, std::optional<Pilot>> pilots_;
     std::string failure_;

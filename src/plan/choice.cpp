@@ -76,19 +76,19 @@ std::optional<Discretisation> coarsest_in_time(const TimeModel& time, const std:
 }
 
 double output_seconds(const Models& models, const SpaceModel& space, const Discretisation& choice) {
-    const double rows = seconds_of_folder + choice.steps * seconds_of_row;
+    const double rows = models.writing.folder + choice.steps * seconds_of_row;
     if (models.frames == 0) {
         return rows;
     }
     const double frames = 1.0 + choice.steps / output_every(choice.steps, models.frames);
-    return rows + frames * (seconds_of_files + writing_per_forming * space.frame.at(choice.scale));
+    return rows + frames * (models.writing.files + writing_per_forming * space.frame.at(choice.scale));
 }
 
 }  // namespace
 
 SpaceModel& space_of(Models& models, const Discretisation& choice) {
     return *std::ranges::find_if(models.spaces, [&](const SpaceModel& space) {
-        return kind_of_mesh(choice) == kind_of_mesh(space.degree, space.grading);
+        return kind_of_mesh(choice) == kind_of_mesh(space.degree, space.grading, space.stretch);
     });
 }
 
@@ -164,6 +164,7 @@ std::optional<Option> cheapest(const Models& models, double aim, const Limits& l
                 }
                 found->degree = space.degree;
                 found->grading = space.grading;
+                found->stretch = space.stretch;
                 found->scale = scale;
                 const Option option = assess(models, *found);
                 if (option.seconds <= limits.seconds && (!best || option.seconds < best->seconds)) {

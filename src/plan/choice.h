@@ -7,6 +7,7 @@
 
 #include "plan/discretisation.h"
 #include "plan/error_curve.h"
+#include "plan/writing.h"
 
 namespace thermocontact::plan {
 
@@ -30,6 +31,7 @@ struct SpaceModel {
     LogCurve frame;   ///< s to put the fields into the form of their files once
     LogCurve end;     ///< s: digits left, judged once at the end
     double near = 0;  ///< knob of the finest pilot of a ladder around a choice (near_choice.h); 0: of none
+    std::vector<int> stretch = {};  ///< see Discretisation
 };
 
 /// What a way to step errs by, and how many steps it takes; the knob is 1/steps, or the tolerance.
@@ -41,10 +43,9 @@ struct TimeModel {
     double near = 0;  ///< see SpaceModel
 };
 
-/// s, measured: to make a run's folder, checkpoints and summary; a row of the history; the files of one
-/// output of fields, whatever their size. To put fields into the form of their files and write them takes so
-/// many times what the first of that takes.
-inline constexpr double seconds_of_folder = 5e-3, seconds_of_row = 3.5e-5, seconds_of_files = 6e-4;
+/// s, measured: a row of the history. To put fields into the form of their files and write them takes so many
+/// times what the first of that takes; what the files take besides is measured where they go (writing.h).
+inline constexpr double seconds_of_row = 3.5e-5;
 inline constexpr double writing_per_forming = 1.2;
 
 struct Models {
@@ -53,6 +54,7 @@ struct Models {
     bool refinable = true;  ///< the mesh, which is no file's
     int frames = 0;         ///< how often the scene writes its fields; 0: never
     Sum sum = Sum::squares;
+    Writing writing = {};
 };
 
 /// A discretisation with what the models say of it.

@@ -84,17 +84,19 @@ std::vector<int> coarsest_cells(const scene::Scene& scene) {
 }
 
 std::vector<int> scaled_cells(const std::vector<int>& coarsest, const std::vector<int>& scene_cells,
-                              int scale) {
+                              int scale, const std::vector<int>& stretch) {
     std::vector<int> result;
     for (std::size_t axis = 0; axis < coarsest.size(); ++axis) {
-        result.push_back(scene_cells[axis] > 1 ? coarsest[axis] * scale : 1);
+        const int times = scale * (stretch.empty() ? 1 : stretch[axis]);
+        result.push_back(scene_cells[axis] > 1 ? coarsest[axis] * times : 1);
     }
     return result;
 }
 
 scene::Scene discretised(scene::Scene scene, const Discretisation& choice) {
     if (!scene.mesh.file) {
-        scene.mesh.cells = scaled_cells(coarsest_cells(scene), scene.mesh.cells, choice.scale);
+        scene.mesh.cells =
+            scaled_cells(coarsest_cells(scene), scene.mesh.cells, choice.scale, choice.stretch);
     }
     if (!choice.grading.empty()) {
         scene.mesh.cell = "tensor";
@@ -118,7 +120,8 @@ std::vector<std::string> settings(const scene::Scene& scene, const Discretisatio
     std::vector<std::string> result;
     if (!scene.mesh.file) {
         std::string cells;
-        for (const int count : scaled_cells(coarsest_cells(scene), scene.mesh.cells, choice.scale)) {
+        for (const int count :
+             scaled_cells(coarsest_cells(scene), scene.mesh.cells, choice.scale, choice.stretch)) {
             cells += (cells.empty() ? "" : ",") + std::to_string(count);
         }
         result.push_back("mesh.cells=[" + cells + "]");
@@ -183,21 +186,47 @@ Discretisation finer_in_time(Discretisation choice) {
     return choice;
 }
 
+std::optional<Discretisation> halved_along(Discretisation choice, std::size_t axis,
+                                           const std::vector<int>& scene_cells) {
+    if (choice.stretch.empty()) {
+        choice.stretch.assign(scene_cells.size(), 1);
+    }
+    if (scene_cells[axis] == 1 || choice.scale * choice.stretch[axis] % 2 != 0) {
+        return std::nullopt;
+    }
+    if (choice.stretch[axis] % 2 == 0) {
+        choice.stretch[axis] /= 2;
+    } else {  // half of all, twice of the others
+        choice.scale /= 2;
+        for (std::size_t other = 0; other < scene_cells.size(); ++other) {
+            choice.stretch[other] *= other != axis && scene_cells[other] > 1 ? 2 : 1;
+        }
+    }
+    if (std::ranges::all_of(choice.stretch, [](int times) { return times == 1; })) {
+        choice.stretch.clear();
+    }
+    return choice;
+}
+
 Discretisation finer(Discretisation choice, bool refinable) {
     return finer_in_time(refinable ? finer_in_space(choice) : choice);
 }
 
-std::string kind_of_mesh(int degree, const std::vector<scene::Grading>& grading) {
+std::string kind_of_mesh(int degree, const std::vector<scene::Grading>& grading,
+                         const std::vector<int>& stretch) {
     std::string result = "degree " + std::to_string(degree);
     for (std::size_t axis = 0; axis < grading.size(); ++axis) {
         result += (axis == 0 ? " graded " : " ") + scene::number_text(grading[axis].lower) + " " +
                   scene::number_text(grading[axis].upper);
     }
+    for (std::size_t axis = 0; axis < stretch.size(); ++axis) {
+        result += (axis == 0 ? " stretched " : " ") + std::to_string(stretch[axis]);
+    }
     return result;
 }
 
 std::string kind_of_mesh(const Discretisation& choice) {
-    return kind_of_mesh(choice.degree, choice.grading);
+    return kind_of_mesh(choice.degree, choice.grading, choice.stretch);
 }
 
 double steepest(const std::vector<scene::Grading>& grading) {

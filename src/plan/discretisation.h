@@ -29,10 +29,14 @@ struct Discretisation {
     /// [d] ratios of mesh.grading, of quadrilaterals or hexahedra: these are nested when graded. Empty: the
     /// scene's own cells, graded as it says.
     std::vector<scene::Grading> grading = {};
+    /// [d] so many times as many cells along an axis as the scene's proportions give it; empty: as many.
+    std::vector<int> stretch = {};
 };
 
-/// What the mesh is like, whatever its number of cells: "degree 2", "degree 2 graded 16 16 1 4".
-std::string kind_of_mesh(int degree, const std::vector<scene::Grading>& grading);
+/// What the mesh is like, whatever its number of cells: "degree 2", "degree 2 graded 16 16 1 4 stretched 2
+/// 1".
+std::string kind_of_mesh(int degree, const std::vector<scene::Grading>& grading,
+                         const std::vector<int>& stretch = {});
 std::string kind_of_mesh(const Discretisation& choice);
 
 /// The largest ratio; 1 where the mesh is the scene's.
@@ -47,9 +51,9 @@ inline constexpr int adaptive_steps = 16;
 /// The coarsest mesh of a scene's proportions, [d]; axes with one cell keep it. Empty: the mesh is a file's.
 std::vector<int> coarsest_cells(const scene::Scene& scene);
 
-/// [d] cells of a scale of the coarsest mesh.
+/// [d] cells of a scale of the coarsest mesh, stretched as Discretisation says.
 std::vector<int> scaled_cells(const std::vector<int>& coarsest, const std::vector<int>& scene_cells,
-                              int scale);
+                              int scale, const std::vector<int>& stretch = {});
 
 /// `scene`, whose scheme is that of `choice` already, so discretised.
 scene::Scene discretised(scene::Scene scene, const Discretisation& choice);
@@ -76,6 +80,11 @@ Discretisation coarser_in_time(Discretisation choice);
 /// Twice the cells; twice the steps, or a smaller tolerance.
 Discretisation finer_in_space(Discretisation choice);
 Discretisation finer_in_time(Discretisation choice);
+
+/// Half the cells along this axis alone; nothing where their number cannot be halved. `scene_cells` [d]: axes
+/// with one cell keep it.
+std::optional<Discretisation> halved_along(Discretisation choice, std::size_t axis,
+                                           const std::vector<int>& scene_cells);
 
 /// In space, where the mesh can be refined, and in time.
 Discretisation finer(Discretisation choice, bool refinable);

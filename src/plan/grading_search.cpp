@@ -1,11 +1,9 @@
 #include "plan/grading_search.h"
 
-#include "plan/grading.h"
-
 namespace thermocontact::plan {
 namespace {
 
-constexpr double growth = 4, steepest_ratio = 4096;
+constexpr double steepest_ratio = 4096;
 constexpr double worth_it = 0.95;  ///< of the price, that a steeper grading leaves at most
 
 double& ratio_at(std::vector<scene::Grading>& grading, std::size_t side) {
@@ -15,13 +13,13 @@ double& ratio_at(std::vector<scene::Grading>& grading, std::size_t side) {
 
 }  // namespace
 
-void search_grading(const scene::Scene& scene,
+void search_grading(std::vector<scene::Grading> begin,
                     const std::function<double(const std::vector<scene::Grading>&)>& price,
                     const std::function<bool()>& enough) {
-    std::vector<scene::Grading> best = graded(scene, growth);
-    if (best.empty() || enough()) {
+    if (begin.empty() || enough()) {
         return;
     }
+    std::vector<scene::Grading> best = std::move(begin);
     double least = price(best);
     for (bool gained = true; gained;) {
         gained = false;
@@ -34,7 +32,7 @@ void search_grading(const scene::Scene& scene,
             if (enough()) {
                 return;
             }
-            ratio *= growth;
+            ratio *= gentle_grading;
             if (const double found = price(steeper); found < worth_it * least) {
                 best = steeper, least = found, gained = true;
             }

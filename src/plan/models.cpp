@@ -73,7 +73,7 @@ TimeModel time_model(const Stepping& stepping, const Climbed& climbed) {
 
 SpaceModel space_model(int axes, const std::vector<const Pilot*>& pilots, ErrorCurve error) {
     const Discretisation& any = pilots.front()->discretisation;
-    SpaceModel model{any.degree, any.grading, std::move(error), {}, {}, {}, {}, {}, {}};
+    SpaceModel model{any.degree, any.grading, std::move(error), {}, {}, {}, {}, {}, {}, 0, any.stretch};
     take_costs(model, pilots, axes);
     return model;
 }
@@ -82,7 +82,8 @@ void learn_costs(Models& models, const std::vector<const Pilot*>& pilots, int ax
     for (SpaceModel& model : models.spaces) {
         std::vector<const Pilot*> of_kind;
         std::ranges::copy_if(pilots, std::back_inserter(of_kind), [&](const Pilot* pilot) {
-            return kind_of_mesh(pilot->discretisation) == kind_of_mesh(model.degree, model.grading);
+            return kind_of_mesh(pilot->discretisation) ==
+                   kind_of_mesh(model.degree, model.grading, model.stretch);
         });
         if (!of_kind.empty()) {
             take_costs(model, of_kind, axes);

@@ -8,6 +8,8 @@
 #include "plan/climb.h"
 #include "plan/models.h"
 #include "plan/orders.h"
+#include "plan/proportions.h"
+#include "plan/shapes_near.h"
 
 namespace thermocontact::plan {
 namespace {
@@ -15,6 +17,8 @@ namespace {
 constexpr double share_in_space = 0.7;  ///< of the time: there the pilots are as large as the run
 constexpr double reach = 1.5;           ///< of the finest pilot's cells or steps, that a choice may have
 constexpr double most_correction = 4;
+constexpr double share_of_shapes = 0.5;
+constexpr double too_hopeful = 1.5;  ///< a price so many times that foreseen: other meshes are looked for
 constexpr std::size_t fewest_rungs = 3;
 /// In time differences go up and down, as contact opens and closes in this step or in that: an order is to be
 /// the median of three.
@@ -159,6 +163,26 @@ void learn_space(Study& study, const std::vector<const Pilot*>& pilots) {
     model.near = space_knob(finest);
 }
 
+/// What a run takes longer than was foreseen lets more time be spent on meshes that need less: half of what
+/// it takes on the option's, as long as there is time for such at all. Of other gradings, which coarse pilots
+/// have shown, no better is to be expected.
+void learn_shapes(Study& study, const Option& option, const std::vector<const Pilot*>& pilots) {
+    const Bench& bench = *study.bench;
+    const double price = price_of(study, {space_of(study.models, option.discretisation)});
+    if (price <= too_hopeful * (study.request.accuracy ? option.seconds : option.error)) {
+        return;
+    }
+    const double begin = bench.seconds();
+    const double seconds = std::min({study.seconds_for_shapes, share_of_shapes * seconds_for_pilots(study),
+                                     share_of_shapes * (study.request.accuracy ? price : option.seconds)});
+    const auto left = [&] { return seconds - (bench.seconds() - begin); };
+    const Pilot& finest = learn_proportions(study, pilots, left());
+    learn_gradings(study, finest, left());
+    study.seconds_for_shapes -= bench.seconds() - begin;
+    std::erase_if(study.models.spaces,
+                  [](const SpaceModel& space) { return space.near == 0 && !space.grading.empty(); });
+}
+
 /// Where the scene damps nothing, runs that do not resolve its motions agree on what is wrong: the curve,
 /// which is of differences to a scheme that damps nothing either, keeps its shape.
 void learn_time(Study& study, const std::vector<const Pilot*>& pilots) {
@@ -191,6 +215,7 @@ bool learn_near(Study& study, const Option& option, double seconds) {
         if (const std::vector<const Pilot*> pilots = rungs ? run(bench, *rungs) : std::vector<const Pilot*>{};
             !pilots.empty()) {
             learn_space(study, pilots);
+            learn_shapes(study, option, pilots);
         }
     }
     const double left = seconds - (bench.seconds() - begin);

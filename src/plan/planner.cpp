@@ -16,6 +16,7 @@ constexpr double share_near_choice = 0.5;    ///< of the chosen run's time, for 
 constexpr double longest_near_choice = 120;  ///< s, for the same
 constexpr double margin_of_time = 0.8;       ///< of the budget: predictions of time err, too
 constexpr int approaches = 8;
+constexpr double nearly_met = 2;       ///< times what was asked
 constexpr double worse_but_known = 2;  ///< a budget's error that is rather taken than one that is hoped for
 constexpr double offers_apart = 3.1622776601683795;    ///< half a digit
 constexpr double shares_left[] = {1.0 / 4, 1.0 / 32};  ///< of the accuracy, in the pilots; the second where
@@ -37,7 +38,9 @@ Limits Planner::limits() const {
 
 std::optional<Option> Planner::choose(const Models& models, double accuracy_factor) const {
     if (study_.request.accuracy) {
-        return cheapest(models, aim_of_accuracy * accuracy_factor * *study_.request.accuracy, limits());
+        const double asked = accuracy_factor * *study_.request.accuracy;
+        const auto aimed = cheapest(models, aim_of_accuracy * asked, limits());
+        return aimed ? aimed : cheapest(models, least_aim * asked, limits());
     }
     Limits affordable = limits();
     affordable.seconds /= accuracy_factor;  // of a budget, the offers are of other times
@@ -50,13 +53,23 @@ double Planner::seconds_near(const Option& option) const {
     return std::min(share_near_choice * of_run, longest_near_choice);
 }
 
+/// Where nothing is foreseen to meet the accuracy: what misses it by no more than models far from it err by.
+std::optional<Option> Planner::nearly() const {
+    const std::optional<Option> best =
+        study_.request.accuracy ? most_accurate(study_.models, limits()) : std::nullopt;
+    return best && best->error <= nearly_met * *study_.request.accuracy ? best : std::nullopt;
+}
+
 /// The choice is of many candidates, and of those not looked at closely the most hopeful: it is looked at,
 /// chosen again, and so on. Where time is up, only what was looked at counts,
 /// in a budget as long as that is not far worse.
 void Planner::approach() {
     const double begin = study_.bench->seconds();
     for (int i = 0; i < approaches; ++i) {
-        const std::optional<Option> option = choose(study_.models, 1);
+        std::optional<Option> option = choose(study_.models, 1);
+        if (!option) {
+            option = nearly();
+        }
         if (!option || is_near(study_.models, option->discretisation)) {
             return;
         }
@@ -87,7 +100,7 @@ void Planner::refuse(Plan& plan) const {
                    " unknowns the error of " + largest_source(study_.comparison.components(), *plan.best) +
                    " is what remains";
     if (const std::optional<Option> any =
-            cheapest(study_.models, aim_of_accuracy * *study_.request.accuracy, no_limits)) {
+            cheapest(study_.models, least_aim * *study_.request.accuracy, no_limits)) {
         plan.refusal +=
             "; foreseen are " + duration_text(any->seconds) + " and " + about(any->unknowns) + " unknowns";
     }

@@ -43,6 +43,7 @@ class Planner {
     void study(Plan& plan);
     void approach();
     std::optional<Option> choose(const Models& models, double accuracy_factor) const;
+    std::optional<Option> nearly() const;
     double seconds_near(const Option& option) const;
     void choose_all(Plan& plan) const;
     void refuse(Plan& plan) const;

@@ -113,7 +113,7 @@ class Meshes {
         allowance_ = std::min(allowance_, seconds / pilots_in_search);
         bool tried = false;
         search_grading(
-            study_->bench->scene(),
+            graded(study_->bench->scene(), gentle_grading),
             [&](const std::vector<scene::Grading>& grading) {
                 tried = true;
                 const std::size_t before = study_->models.spaces.size();
@@ -128,7 +128,7 @@ class Meshes {
                 return study_->bench->seconds() - begin + of_ladder > seconds ||
                        of_ladder > seconds_for_pilots(*study_);
             });
-        if (!tried && of_ladder > seconds && !graded(study_->bench->scene(), 2).empty()) {
+        if (!tried && of_ladder > seconds && !graded(study_->bench->scene(), gentle_grading).empty()) {
             study_->remarks.push_back("no graded mesh was tried: three pilots of one take " +
                                       duration_text(of_ladder) + ", more than the search may take");
         }
@@ -148,21 +148,12 @@ class Meshes {
         return seconds;
     }
 
-    /// s that what was asked takes, or, in a budget, the error that is left relative to that of the meshes so
-    /// far, of the meshes from `begin` to `end`; infinite where they cannot meet it.
+    /// Of the meshes from `begin` to `end`.
     double price(std::size_t begin, std::size_t end) const {
-        Models models = study_->models;
         const auto at = [&](std::size_t place) {
             return study_->models.spaces.begin() + static_cast<std::ptrdiff_t>(place);
         };
-        models.spaces.assign(at(begin), at(end));
-        const Request& request = study_->request;
-        const auto option = request.accuracy
-                                ? cheapest(models, aim_of_accuracy * *request.accuracy, {any_time, any_time})
-                                : most_accurate(models, {*request.budget, any_time});
-        return !option            ? std::numeric_limits<double>::infinity()
-               : request.accuracy ? option->seconds
-                                  : option->error;
+        return price_of(*study_, {at(begin), at(end)});
     }
 
     Study* study_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "solve/available_memory.h"
 
@@ -21,6 +22,7 @@ Study begin_study(Bench& bench, const Request& request, double goal) {
     const scene::Scene& scene = bench.scene();
     Study study{&bench, Comparison(scene, request.of), request, {}, {}, goal * request.accuracy.value_or(0)};
     study.models.sum = request.of == Quantity::norms ? Sum::squares : Sum::plain;
+    study.models.writing = bench.writing();
     study.models.refinable = !scene.mesh.file;
     study.models.frames = scene.output.fields.empty() ? 0 : frames_of(scene);
     if (scene.mesh.file) {
@@ -45,6 +47,18 @@ double pilot_allowance(const Request& request) {
 double seconds_for_pilots(const Study& study) {
     return study.request.budget ? share_of_pilots * *study.request.budget - study.bench->seconds()
                                 : std::numeric_limits<double>::infinity();
+}
+
+double price_of(const Study& study, std::vector<SpaceModel> spaces) {
+    constexpr double any = 1e12;
+    Models models = study.models;
+    models.spaces = std::move(spaces);
+    const Request& request = study.request;
+    const auto option = request.accuracy ? cheapest(models, aim_of_accuracy * *request.accuracy, {any, any})
+                                         : most_accurate(models, {*request.budget, any});
+    return !option            ? std::numeric_limits<double>::infinity()
+           : request.accuracy ? option->seconds
+                              : option->error;
 }
 
 double most_unknowns() {

@@ -85,9 +85,28 @@ TEST(Choice, AccountsForItsErrorAndTime) {
     EXPECT_NEAR(option.space[0], 0.5 / 16, 1e-12);
     EXPECT_NEAR(option.time[0], 0.5 / 1024, 1e-12);
     EXPECT_NEAR(option.error, std::hypot(option.space[0], option.time[0]), 1e-15);
-    EXPECT_NEAR(option.seconds, 0.1 + 2 * 0.01 + 32 * 4e-3 * 16 + seconds_of_folder + 32 * seconds_of_row,
+    EXPECT_NEAR(option.seconds, 0.1 + 2 * 0.01 + 32 * 4e-3 * 16 + Writing{}.folder + 32 * seconds_of_row,
                 1e-9);
     EXPECT_NEAR(option.unknowns, 1600, 1e-9);
+}
+
+/// Files take what they do where they go.
+TEST(Choice, CountsWhatIsWritten) {
+    Models all = models();
+    all.frames = 4;
+    all.writing = {0.5, 0.25};
+    for (SpaceModel& space : all.spaces) {
+        space.frame = constant(0.125);
+    }
+    Models silent = all;
+    silent.frames = 0;
+    const Discretisation choice{2, 4, {"bdf2", false}, 32, 0};
+    const double outputs = 1 + 32 / output_every(32, 4);
+    EXPECT_NEAR(assess(all, choice).seconds - assess(silent, choice).seconds,
+                outputs * (0.25 + writing_per_forming * 0.125), 1e-9);
+    silent.writing.folder = 0;
+    EXPECT_NEAR(assess(all, choice).seconds - assess(silent, choice).seconds,
+                0.5 + outputs * (0.25 + writing_per_forming * 0.125), 1e-9);
 }
 
 TEST(Choice, TellsMeshesByTheirGrading) {

@@ -52,6 +52,25 @@ TEST(Discretisation, MeshesOfOneKindDifferInScaleOnly) {
     EXPECT_EQ(steepest({}), 1);
 }
 
+TEST(Discretisation, AxesAreHalvedAlone) {
+    const scene::Scene scene = support::repository_scene("paper");  // 4 x 4 at scale 1
+    const auto cells = [&](const Discretisation& choice) {
+        return scaled_cells(coarsest_cells(scene), scene.mesh.cells, choice.scale, choice.stretch);
+    };
+    const Discretisation begin{2, 6, {"bdf2", false}, 96, 0, {{4, 16}, {1, 64}}};
+    const auto flat = halved_along(begin, 1, scene.mesh.cells);
+    ASSERT_TRUE(flat);
+    EXPECT_EQ(cells(*flat), (Cells{24, 12}));
+    EXPECT_EQ(kind_of_mesh(*flat), "degree 2 graded 4 16 1 64 stretched 2 1");
+    EXPECT_EQ(cells(finer_in_space(*flat)), (Cells{48, 24}));
+    const auto small = halved_along(*flat, 0, scene.mesh.cells);
+    ASSERT_TRUE(small);
+    EXPECT_EQ(cells(*small), (Cells{12, 12}));
+    EXPECT_EQ(kind_of_mesh(*small), kind_of_mesh(begin));    // proportions as before
+    EXPECT_FALSE(halved_along(*flat, 1, scene.mesh.cells));  // 12, of three coarsest meshes
+    EXPECT_FALSE(halved_along(begin, 1, {32, 1}));           // an axis with one cell
+}
+
 /// What --set is told makes the scene that the pilots had.
 void expect_same(const std::string& name, const Discretisation& choice) {
     const scene::Scene scene = support::repository_scene(name);

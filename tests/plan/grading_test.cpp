@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "plan/discretisation.h"
 #include "plan/grading_search.h"
@@ -40,7 +41,7 @@ TEST(GradingSearch, FindsTheSteepnessOfEachSide) {
     Ratios best;
     double least = 1e9;
     search_grading(
-        support::repository_scene("paper"),
+        graded(support::repository_scene("paper"), gentle_grading),
         [&](const std::vector<scene::Grading>& grading) {
             double price = 1;
             for (std::size_t side = 0; side < ideal.size(); ++side) {
@@ -58,10 +59,13 @@ TEST(GradingSearch, FindsTheSteepnessOfEachSide) {
 TEST(GradingSearch, EndsWhenToldTo) {
     int tried = 0;
     const auto price = [&](const std::vector<scene::Grading>&) { return 1.0 / ++tried; };
-    search_grading(support::repository_scene("paper"), price, [&] { return tried >= 3; });
+    search_grading(graded(support::repository_scene("paper"), gentle_grading), price,
+                   [&] { return tried >= 3; });
     EXPECT_EQ(tried, 3);
-    search_grading(support::repository_scene("paper"), price, [] { return false; });
+    search_grading(graded(support::repository_scene("paper"), gentle_grading), price, [] { return false; });
     EXPECT_LT(tried, 100);  // always cheaper: to the steepest there is
+    search_grading(
+        {}, [](const auto&) -> double { throw std::logic_error("tried"); }, [] { return false; });
 }
 
 }  // namespace

@@ -25,6 +25,16 @@ constexpr double shares_left[] = {1.0 / 4, 1.0 / 32};  ///< of the accuracy, in 
 /// Of memory and time without end.
 constexpr Limits no_limits{1e12, 1e15};
 
+/// The cheapest that errs by `aim` at most. More steps than that needs may take less time, if they are
+/// factored more rarely: then the most accurate.
+std::optional<Option> cheapest_of_all(const Models& models, double aim, const Limits& limits) {
+    if (const auto found = cheapest(models, aim, limits)) {
+        return found;
+    }
+    const auto best = most_accurate(models, limits);
+    return best && best->error <= aim ? best : std::nullopt;
+}
+
 }  // namespace
 
 Planner::Planner(Bench& bench, const Request& request, bool budget_counts_pilots)
@@ -40,7 +50,7 @@ std::optional<Option> Planner::choose(const Models& models, double accuracy_fact
     if (study_.request.accuracy) {
         const double asked = accuracy_factor * *study_.request.accuracy;
         const auto aimed = cheapest(models, aim_of_accuracy * asked, limits());
-        return aimed ? aimed : cheapest(models, least_aim * asked, limits());
+        return aimed ? aimed : cheapest_of_all(models, least_aim * asked, limits());
     }
     Limits affordable = limits();
     affordable.seconds /= accuracy_factor;  // of a budget, the offers are of other times
@@ -75,7 +85,9 @@ void Planner::approach() {
         }
         // in all they may take a share of what is the best of those that are known
         const std::optional<Option> known = choose(near_only(study_.models), 1);
-        const double own = seconds_near(*option), spent = study_.bench->seconds() - begin;
+        const double own = seconds_near(*option);
+        const double of_shapes = longest_for_shapes - study_.seconds_for_shapes;
+        const double spent = study_.bench->seconds() - begin - of_shapes;
         const double left = std::max(own, known ? seconds_near(*known) : 0) - spent;
         if (!learn_near(study_, *option, std::min({own, left, seconds_for_pilots(study_)}))) {
             break;

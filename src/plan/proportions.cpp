@@ -11,6 +11,10 @@
 namespace thermocontact::plan {
 namespace {
 
+/// Of the power that the error falls with the number of cells: a bargain is to be a clear one, as another
+/// component may err most later on.
+constexpr double worth_it = 0.5;
+
 /// A mesh thinned out, and what it errs by, [components].
 struct Thinned {
     const Pilot* pilot;
@@ -68,7 +72,8 @@ const Pilot& learn_proportions(Study& study, const std::vector<const Pilot*>& pi
     const ErrorCurve curve = space_of(study.models, finest).error;
     const std::vector<double> errors = curve.at(curve.finest());
     const double order = curve.orders()[worst_of(errors)];
-    const Thinned best = thinned_out(study, {pilots.back(), errors}, std::pow(2.0, order / axes), seconds);
+    const Thinned best =
+        thinned_out(study, {pilots.back(), errors}, std::pow(2.0, worth_it * order / axes), seconds);
     if (best.pilot == pilots.back()) {
         return *best.pilot;
     }

@@ -11,6 +11,9 @@
 
 namespace thermocontact::plan {
 
+/// s that meshes of other shapes may be looked for near choices, in all (near_choice.h).
+inline constexpr double longest_for_shapes = 120;
+
 struct Study {
     Bench* bench;
     Comparison comparison;
@@ -18,7 +21,7 @@ struct Study {
     Models models;
     std::vector<std::string> remarks;
     double goal = 0;  ///< what either source may leave in its finest pilot: less than that need not be known
-    double seconds_for_shapes = 120;  ///< that meshes of other shapes may yet be looked for near choices
+    double seconds_for_shapes = longest_for_shapes;  ///< that are left of it
 };
 
 /// Share of the accuracy asked for that is aimed at: in the middle, on a logarithmic scale, of a third of it

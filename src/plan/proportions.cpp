@@ -13,7 +13,7 @@ namespace {
 
 /// Of the power that the error falls with the number of cells: a bargain is to be a clear one, as another
 /// component may err most later on.
-constexpr double worth_it = 0.5;
+constexpr double worth_it = 0.25;
 
 /// A mesh thinned out, and what it errs by, [components].
 struct Thinned {

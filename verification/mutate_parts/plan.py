@@ -110,8 +110,8 @@ MUTATIONS = (
     Mutation(
         "plan-one-cell",
         "src/plan/discretisation.cpp",
-        "result.push_back(scene_cells[axis] > 1 ? coarsest[axis] * scale : 1);",
-        "result.push_back(scene_cells[axis] > 0 ? coarsest[axis] * scale : 1);",
+        "result.push_back(scene_cells[axis] > 1 ? coarsest[axis] * times : 1);",
+        "result.push_back(scene_cells[axis] > 0 ? coarsest[axis] * times : 1);",
         "index",
         "an axis with one cell keeps it",
     ),

@@ -86,6 +86,7 @@ std::vector<int> coarsest_cells(const scene::Scene& scene) {
 std::vector<int> scaled_cells(const std::vector<int>& coarsest, const std::vector<int>& scene_cells,
                               int scale, const std::vector<int>& stretch) {
     std::vector<int> result;
+    result.reserve(coarsest.size());
     for (std::size_t axis = 0; axis < coarsest.size(); ++axis) {
         const int times = scale * (stretch.empty() ? 1 : stretch[axis]);
         result.push_back(scene_cells[axis] > 1 ? coarsest[axis] * times : 1);
@@ -186,8 +187,9 @@ Discretisation finer_in_time(Discretisation choice) {
     return choice;
 }
 
-std::optional<Discretisation> halved_along(Discretisation choice, std::size_t axis,
+std::optional<Discretisation> halved_along(const Discretisation& from, std::size_t axis,
                                            const std::vector<int>& scene_cells) {
+    Discretisation choice = from;
     if (choice.stretch.empty()) {
         choice.stretch.assign(scene_cells.size(), 1);
     }

@@ -83,7 +83,7 @@ Discretisation finer_in_time(Discretisation choice);
 
 /// Half the cells along this axis alone; nothing where their number cannot be halved. `scene_cells` [d]: axes
 /// with one cell keep it.
-std::optional<Discretisation> halved_along(Discretisation choice, std::size_t axis,
+std::optional<Discretisation> halved_along(const Discretisation& from, std::size_t axis,
                                            const std::vector<int>& scene_cells);
 
 /// In space, where the mesh can be refined, and in time.

@@ -28,10 +28,10 @@ constexpr Limits no_limits{1e12, 1e15};
 /// The cheapest that errs by `aim` at most. More steps than that needs may take less time, if they are
 /// factored more rarely: then the most accurate.
 std::optional<Option> cheapest_of_all(const Models& models, double aim, const Limits& limits) {
-    if (const auto found = cheapest(models, aim, limits)) {
+    if (auto found = cheapest(models, aim, limits)) {
         return found;
     }
-    const auto best = most_accurate(models, limits);
+    auto best = most_accurate(models, limits);
     return best && best->error <= aim ? best : std::nullopt;
 }
 

@@ -63,8 +63,7 @@ TEST(Proportions, LeaveOutCellsThatMatterLittle) {
     // as many cells along y, and the same there when finer
     EXPECT_NEAR(found.error.at(found.near / 2)[0] / after,
                 near.study.models.spaces[0].error.at(1.0 / 8)[0] / before[0], 1e-9);
-    EXPECT_LT(found.unknowns.at(kept.discretisation.scale),
-              0.3 * near.study.models.spaces[0].unknowns.at(4));
+    EXPECT_LT(found.unknowns.at(kept.discretisation.scale), 0.3 * near.study.models.spaces[0].unknowns.at(4));
 }
 
 TEST(Proportions, TakeNoTimeThatIsNotThere) {

@@ -53,6 +53,8 @@ void write_kept(Hdf5Writer& file, const std::string& at, const march::KeptSystem
     file.write(at + "/unknowns", kept.derivative.unknowns);
     file.write(at + "/entries", kept.derivative.entries);
     file.write(at + "/values", kept.derivative.values);
+    file.write(at + "/first_iterations", std::int64_t{kept.derivative.age.first_iterations});
+    file.write(at + "/more_iterations", std::int64_t{kept.derivative.age.more_iterations});
     file.write(at + "/in_doubles", std::int64_t{kept.derivative.in_doubles ? 1 : 0});
 }
 
@@ -63,6 +65,8 @@ march::KeptSystem read_kept(const Hdf5Reader& file, const std::string& at) {
     file.read(at + "/unknowns", derivative.unknowns);
     file.read(at + "/entries", derivative.entries);
     file.read(at + "/values", derivative.values);
+    file.read(at + "/first_iterations", derivative.age.first_iterations);
+    file.read(at + "/more_iterations", derivative.age.more_iterations);
     int in_doubles = 0;
     file.read(at + "/in_doubles", in_doubles);
     derivative.in_doubles = in_doubles != 0;

@@ -3,11 +3,14 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <Eigen/SparseCore>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "solve/secants.h"
 
 namespace thermocontact::solve {
 
@@ -63,20 +66,29 @@ struct NewtonResult {
     double round_off = 0;       ///< where not converged: what rounding is worth, relative to the same terms
 };
 
+/// What solves with one derivative have cost.
+struct DerivativeAge {
+    int first_iterations = -1;  ///< of the first one that took no other; -1: none yet
+    int more_iterations = 0;    ///< than that, of all since
+};
+
 /// S + dF/dx where a Newton iteration factored it last, by its entries that differ from S.
 struct KeptDerivative {
     std::int64_t unknowns = 0;
-    std::vector<std::int64_t> entries;  ///< column * unknowns + row
-    std::vector<double> values;         ///< [entries]
-    bool in_doubles = false;            ///< the sparse factor, as words were too coarse (condensed_problem.h)
+    std::vector<std::int64_t> entries = {};  ///< column * unknowns + row
+    std::vector<double> values = {};         ///< [entries]
+    DerivativeAge age = {};
+    bool in_doubles = false;  ///< the sparse factor, as words were too coarse (condensed_problem.h)
 };
 
 /// "the line search found no descent", for messages.
 const char* describe(NewtonEnd end);
 
-/// Solves one condensed problem after another with the same S. The factors of the last derivative are kept
+/// Solves one condensed problem after another with the same S. The factors of the last derivative T are kept
 /// and used again for as long as they still cut the residual tenfold an iteration, which near a solution they
-/// nearly always do.
+/// nearly always do, or as much as makes them cheaper than new ones. A step d = -T^-1 r changes S x by S d =
+/// -r
+/// - (T - S) d, and T - S, of contact alone, is sparse: only where an iteration begins and ends is S read.
 class Newton {
   public:
     explicit Newton(NewtonOptions options) : options_(options) {}
@@ -104,10 +116,14 @@ class Newton {
 
   private:
     struct Residual {
+        Eigen::VectorXd linear, nonlinear;  ///< S x, F(x)
+        bool by_product;                    ///< S x is, not a sum of the changes that steps made
         Eigen::VectorXd value;
         double norm;
         double relative;
         double linear_norm, nonlinear_norm;  ///< |S x|, |F(x)|
+
+        void balance(const Eigen::VectorXd& s);
     };
 
     /// What rounding x, and the displacement that the gap is computed from, perturb the residual by: eps (|T|
@@ -117,7 +133,7 @@ class Newton {
     /// Whether the residual is round-off. Friction of stiffness mu p / epsilon
     /// magnifies the last bit of a slip velocity, compliance that of a displacement, and no iterate can be
     /// better. Never where it is more than may_be_round_off() allows.
-    bool is_round_off(const Eigen::VectorXd& x, NonlinearTerm& F, const Residual& current);
+    bool is_round_off(const Eigen::VectorXd& x, NonlinearTerm& F, const Residual& current) const;
 
     /// One more update with the factors at hand, taken if it lowers the residual: it costs little and brings
     /// the solution from the tolerance down to round-off.
@@ -127,17 +143,21 @@ class Newton {
     NewtonResult iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
                          Eigen::VectorXd& x);
 
-    Residual residual(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F,
-                      const Eigen::VectorXd& x);
+    static Residual residual(Eigen::VectorXd linear, bool by_product, const Eigen::VectorXd& s,
+                             NonlinearTerm& F, const Eigen::VectorXd& x);
     bool factor(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x);
-    bool factor_derivative();
+    bool factor_derivative(const Eigen::MatrixXd& S);
+    NewtonUpdate update(const Residual& current) const;
+    bool worth_keeping(double rate, const Residual& next, int iteration) const;
+    void weigh_factors(const Eigen::MatrixXd& S, NonlinearTerm& F, const Eigen::VectorXd& x, int iterations);
 
     NewtonOptions options_;
     Eigen::MatrixXd derivative_;
     Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+    Eigen::SparseMatrix<double> of_contact_;  ///< T - S
     bool has_factors_ = false;
     int factorisations_ = 0;
-    Eigen::VectorXd linear_, nonlinear_;  ///< S x and F(x) of the last residual
+    DerivativeAge age_;
 };
 
 }  // namespace thermocontact::solve

@@ -9,17 +9,23 @@ constexpr double singular_share = 0.9;
 
 }  // namespace
 
-Eigen::VectorXd Secants::improved(Eigen::VectorXd step) const {
-    for (std::size_t i = 0; i + 1 < steps_.size(); ++i) {
-        step += steps_[i + 1] * (steps_[i].dot(step) / steps_[i].squaredNorm());
+NewtonUpdate Secants::improved(NewtonUpdate update) const {
+    const auto share = [&](const NewtonUpdate& taken) {
+        return taken.step.dot(update.step) / taken.step.squaredNorm();
+    };
+    for (std::size_t i = 0; i + 1 < taken_.size(); ++i) {
+        const double factor = share(taken_[i]);
+        update.step += factor * taken_[i + 1].step;
+        update.linear += factor * taken_[i + 1].linear;
     }
-    if (!steps_.empty()) {
-        const double share = steps_.back().dot(step) / steps_.back().squaredNorm();
-        if (share < singular_share) {
-            step /= 1 - share;
+    if (!taken_.empty()) {
+        const double last = share(taken_.back());
+        if (last < singular_share) {
+            update.step /= 1 - last;
+            update.linear /= 1 - last;
         }
     }
-    return step;
+    return update;
 }
 
 }  // namespace thermocontact::solve

@@ -8,19 +8,24 @@
 
 namespace thermocontact::solve {
 
+/// What is added to the unknowns x, and S times that (newton.h).
+struct NewtonUpdate {
+    Eigen::VectorXd step, linear;
+};
+
 class Secants {
   public:
-    /// The next step, from -B^-1 r with the derivative B that is kept and the residual r.
-    Eigen::VectorXd improved(Eigen::VectorXd step) const;
+    /// The next update, from -B^-1 r with the derivative B that is kept and the residual r.
+    NewtonUpdate improved(NewtonUpdate update) const;
 
-    /// That such a step was taken, to the residual that the next one starts from.
-    void take(Eigen::VectorXd step) { steps_.push_back(std::move(step)); }
+    /// That such an update was taken, to the residual that the next one starts from.
+    void take(NewtonUpdate update) { taken_.push_back(std::move(update)); }
 
     /// Of another derivative, or a shortened step.
-    void forget() { steps_.clear(); }
+    void forget() { taken_.clear(); }
 
   private:
-    std::vector<Eigen::VectorXd> steps_;
+    std::vector<NewtonUpdate> taken_;
 };
 
 }  // namespace thermocontact::solve

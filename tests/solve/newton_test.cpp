@@ -11,30 +11,14 @@
 
 #include "solve/continuation.h"
 #include "solve/line_search.h"
+#include "support/componentwise.h"
 #include "support/dense.h"
 
 namespace thermocontact::solve {
 namespace {
 
+using support::Componentwise;
 using support::vector;
-
-/// F_i(x) = f(x_i), with f' as given: right or wrong.
-class Componentwise : public NonlinearTerm {
-  public:
-    using Function = std::function<double(double)>;
-    Componentwise(Function f, Function derivative) : f_(std::move(f)), derivative_(std::move(derivative)) {}
-
-    void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) override { value = x.unaryExpr(f_); }
-    void visit_derivative(const Eigen::VectorXd& x, const Piece& visit) override {
-        for (std::int32_t i = 0; i < x.size(); ++i) {
-            const double value = derivative_(x[i]);
-            visit(std::span(&i, 1), std::span(&value, 1));
-        }
-    }
-
-  private:
-    Function f_, derivative_;
-};
 
 constexpr NewtonOptions options{1e-12, 50};
 
@@ -63,31 +47,6 @@ TEST(Newton, LinearProblemsTakeOneIterationAndOneFactorisation) {
         EXPECT_LE((x - expected).norm(), 1e-14 * round * 10);
     }
     EXPECT_EQ(newton.factorisations(), 1) << "the factors of the first round serve the others";
-}
-
-/// Handed on, the kept derivative takes the next solves the same way to the last bit.
-TEST(Newton, TheKeptDerivativeCanBeHandedOn) {
-    Componentwise F([](double x) { return x * std::abs(x); }, [](double x) { return 2 * std::abs(x); });
-    Newton newton(options);
-    EXPECT_FALSE(newton.kept_derivative(stiffness())) << "nothing is kept before the first solve";
-    Eigen::VectorXd x = vector({0, 0, 0, 0});
-    newton.solve(stiffness(), vector({1, -2, 3, 0.5}), F, x);
-    const auto kept = newton.kept_derivative(stiffness());
-    ASSERT_TRUE(kept);
-    EXPECT_EQ(kept->unknowns, 4);
-    EXPECT_EQ(kept->entries, (std::vector<std::int64_t>{0, 5, 10, 15})) << "the diagonal";
-    Newton other(options), fresh(options);
-    other.take_up(stiffness(), *kept);
-    fresh.take_up(identity(3), *kept);  // of another size: nothing to go on with
-    EXPECT_FALSE(fresh.kept_derivative(identity(3)));
-    const Eigen::VectorXd s = vector({1.1, -2, 3, 0.6});
-    Eigen::VectorXd a = x, b = x, c = x;
-    newton.solve(stiffness(), s, F, a);
-    other.solve(stiffness(), s, F, b);
-    fresh.solve(stiffness(), s, F, c);
-    EXPECT_EQ(a, b);
-    EXPECT_NE(a, c) << "another way to the same solution";
-    EXPECT_LE((a - c).norm(), 1e-11);
 }
 
 TEST(Newton, NothingToDo) {

@@ -21,26 +21,30 @@ TEST(Secants, AreBroydensUpdates) {
     Secants secants;
     for (int iteration = 0; iteration < 4; ++iteration) {
         const Eigen::VectorXd residual = A * x;
-        const Eigen::VectorXd step = secants.improved(-residual / 3.5);
+        NewtonUpdate update = secants.improved({-residual / 3.5, A * (-residual / 3.5)});
+        const Eigen::VectorXd step = update.step;
         const Eigen::VectorXd expected = -B.partialPivLu().solve(residual);
         EXPECT_LE((step - expected).norm(), 1e-12 * expected.norm()) << iteration;
         x += step;
         const Eigen::VectorXd left = A * x;
         B += left * step.transpose() / step.squaredNorm();
-        secants.take(step);
+        EXPECT_LE((update.linear - A * step).norm(), 1e-12 * (A * step).norm()) << iteration;
+        secants.take(std::move(update));
     }
     secants.forget();
     const Eigen::VectorXd chord = Eigen::VectorXd::Ones(n);
-    EXPECT_EQ(secants.improved(chord), chord);
+    EXPECT_EQ(secants.improved({chord, chord}).step, chord);
 }
 
 /// A step straight back would divide by zero.
 TEST(Secants, ANearlySingularUpdateIsLeftOut) {
     Secants secants;
     const Eigen::VectorXd step = Eigen::VectorXd::Ones(3);
-    secants.take(step);
-    EXPECT_EQ(secants.improved(step), step);
-    EXPECT_EQ(secants.improved(-step), -0.5 * step);
+    secants.take({step, 2 * step});
+    EXPECT_EQ(secants.improved({step, 2 * step}).step, step);
+    const NewtonUpdate back = secants.improved({-step, -2 * step});
+    EXPECT_EQ(back.step, -0.5 * step);
+    EXPECT_EQ(back.linear, -step);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ constexpr double operations_a_second = 2.5e10;
 
 // Condensing: a step reads the factor twice; Newton multiplies by S, and factors its derivative, this often.
 constexpr double passes = 2, dense_products = 8, dense_factorisations = 2;
-// Of each number of L there is one in the panels, and while these are made less than another one, in double
-// precision, in the fronts' updates. Of the dense block: the matrix that is factored, L, S, Newton's
-// derivative and its factors.
+// Of each number of L there is one in the panels. While these are made, updates of fronts wait in double
+// precision: those of one level of a dissection, which are fewer; a second copy covers them. Of the dense
+// block: the matrix that is factored, L, S, Newton's derivative and its factors.
 constexpr double copies_of_dense_block = 5;
 
 // Newton-Krylov, in products with an assembled matrix that would be read: an iteration, and the hierarchy's

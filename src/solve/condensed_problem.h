@@ -65,7 +65,9 @@ class Condensed : public Strategy {
     void beside(int count, const std::function<void(int)>& task) const override {
         workers_->run(count, task);
     }
-    bool starts_matter() const override { return storage_ == Storage::words; }
+    StartsMatter starts_matter() const override {
+        return storage_ == Storage::words ? StartsMatter::everywhere : StartsMatter::at_contact;
+    }
     std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) override;
 
   private:

@@ -36,7 +36,12 @@ TEST_F(Missed, IsToldWithWhatMeetsIt) {
     ASSERT_GT(told.error, asked);
     ASSERT_TRUE(told.instead);
     EXPECT_LE(told.instead->error, aim_of_accuracy * asked);
-    EXPECT_GT(told.instead->unknowns, plan.chosen->unknowns);
+    const Option &found = *told.instead,
+                 &before = *plan.chosen;  // which of them is cheapest depends on the machine
+    EXPECT_TRUE(found.unknowns > before.unknowns ||
+                found.discretisation.steps > before.discretisation.steps ||
+                found.discretisation.tolerance < before.discretisation.tolerance)
+        << "finer in space or in time";
     EXPECT_FALSE(told.settings.empty());
 }
 

@@ -54,6 +54,7 @@ SCENES = {
     "coulomb": EXACT_FRICTION,
     "convection": CONVECTION,
     "spring": SPRING,
+    "norms": ("elastic",),  # that of an isotropic viscous body in the plane comes from another matrix
 }  # for forms that the usual scene has not
 
 ORDERS = ["--case", "slipping", "--cell", "triangle", "--degree", "1"]  # the case that has all physics

@@ -150,8 +150,8 @@ MUTATIONS = (
     Mutation(
         "heat-convection-not-solved",
         "src/march/heat.cpp",
-        "matrix.add(1, *exchange);",
-        "matrix.add(0, *exchange);",
+        "{&conduction, &exchange}",
+        "{&conduction}",
         "missing",
         "what is given to the air depends on the temperature that is solved for",
     ),

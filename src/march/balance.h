@@ -80,7 +80,7 @@ class Balance {
     /// Newton iterations, of steps and of rungs of continuation, that ended as contact states recurred.
     int cycles() const { return cycles_; }
     /// Whether start values near the solution save work.
-    solve::StartsMatter starts_matter() const { return strategy_->starts_matter(); }
+    bool starts_matter() const { return strategy_->starts_matter(); }
     std::int64_t factor_entries() const { return problem().factor_entries(); }
     /// Of the system in use.
     solve::FactorUse factor_use() const { return problem().factor_use(); }

@@ -50,14 +50,6 @@ void follow_course(const CourseWeights& weights, const Nodal& y, const PastValue
                                 std::ptrdiff_t{range.end} * components, stage.data());
 }
 
-void follow_course(const CourseWeights& weights, const Nodal& y, const PastValues& past,
-                   const std::vector<char>& fixed, std::span<const std::int32_t> nodes, int components,
-                   Nodal& stage) {
-    for (const std::int32_t node : nodes) {
-        follow_course(weights, y, past, fixed, fem::NodeRange{node, node + 1}, components, stage);
-    }
-}
-
 void renew_course(PastValues& past, Nodal& y, Nodal& y_new) {
     std::rotate(past.begin(), past.end() - 1, past.end());
     past[0].resize(y.size());

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "fem/block_rows.h"
 #include "march/state.h"
@@ -27,11 +26,6 @@ std::optional<CourseWeights> course_weights(const StepRule& rule, const State& s
 /// not of unknowns that are `fixed`.
 void follow_course(const CourseWeights& weights, const Nodal& y, const PastValues& past,
                    const std::vector<char>& fixed, fem::NodeRange range, int components, Nodal& stage);
-
-/// The expected stage values of all these nodes.
-void follow_course(const CourseWeights& weights, const Nodal& y, const PastValues& past,
-                   const std::vector<char>& fixed, std::span<const std::int32_t> nodes, int components,
-                   Nodal& stage);
 
 /// Moves `y` to the end of a step, where it is y_new, and keeps what it was. `y_new` is scratch afterwards.
 void renew_course(PastValues& past, Nodal& y, Nodal& y_new);

@@ -146,20 +146,15 @@ void Heat::begin(const StepRule& rule, const State& state) {
         expected_ = &extrapolated_;
     }
     const auto weights = course_weights(rule, state, state.past_temperature);
-    const bool everywhere = balance_->starts_matter() == solve::StartsMatter::everywhere;
     traversal_.each([&](fem::NodeRange range, std::size_t) {
-        if (weights && everywhere) {
+        if (weights) {
             follow_course(*weights, state.temperature, state.past_temperature, balance_->prescribed().fixed(),
                           range, 1, stage_);
-        } else if (!weights) {
+        } else {
             std::copy(expected_->begin() + range.begin, expected_->begin() + range.end,
                       stage_.begin() + range.begin);
         }
     });
-    if (weights && !everywhere) {
-        follow_course(*weights, state.temperature, state.past_temperature, balance_->prescribed().fixed(),
-                      contact_nodes_, 1, stage_);
-    }
     parallel::together(*team_, [&] { balance_->prescribed().apply(rule.end, new_temperature_); });
     for (const std::int32_t dof : balance_->prescribed().dofs()) {
         const auto i = static_cast<std::size_t>(dof);
@@ -326,7 +321,7 @@ void Heat::accept(State& state, const Scheme& scheme) {
     renew_rates(scheme, rule_, state.temperature, reached, state.temperature_rate,
                 state.temperature_curvature);
     std::swap(stored_, new_stored_);
-    if (balance_->starts_matter() != solve::StartsMatter::nowhere) {
+    if (balance_->starts_matter()) {
         renew_course(state.past_temperature, state.temperature, reached);
     } else {
         std::swap(state.temperature, reached);

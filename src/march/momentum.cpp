@@ -169,7 +169,6 @@ void Momentum::begin(const StepRule& rule, const State& state) {
     load_ = parallel::together(*team_, [&] { return &loads_.at(rule.stage_time()); });
     parallel::together(*team_, [&] { springs_.move(rule.begin, rule.stage_time(), rule.end); });
     const auto weights = course_weights(rule, state, state.past_velocity);
-    const bool everywhere = balance_->starts_matter() == solve::StartsMatter::everywhere;
     traversal_.each([&](fem::NodeRange range, std::size_t) {
         const std::ptrdiff_t d = dimension_, begin = range.begin * d, end = range.end * d;
         const auto go_on = [&](double seconds, const Nodal& y, const Nodal& rate, Nodal& result) {
@@ -179,17 +178,13 @@ void Momentum::begin(const StepRule& rule, const State& state) {
         if (rule.memory() != 0) {
             go_on(rule.memory(), state.velocity, state.velocity_rate, base_velocity_);
         }
-        if (weights && everywhere) {
+        if (weights) {
             follow_course(*weights, state.velocity, state.past_velocity, balance_->prescribed().fixed(),
                           range, dimension_, stage_velocity_);
-        } else if (!weights) {
+        } else {
             go_on(rule.outlook(), state.velocity, state.velocity_rate, stage_velocity_);
         }
     });
-    if (weights && !everywhere) {
-        follow_course(*weights, state.velocity, state.past_velocity, balance_->prescribed().fixed(),
-                      contact_nodes_, dimension_, stage_velocity_);
-    }
     if (rule.memory() != 0) {
         apply(base_velocity_, base_displacement_, base_);
     }
@@ -233,7 +228,7 @@ void Momentum::accept(State& state, const Scheme& scheme) {
     renew_rates(scheme, rule_, state.velocity, new_velocity_, state.velocity_rate, state.velocity_curvature);
     std::swap(old_, now_);
     std::swap(state.displacement, rule_.ends_at_stage() ? stage_displacement_ : new_displacement_);
-    if (balance_->starts_matter() != solve::StartsMatter::nowhere) {
+    if (balance_->starts_matter()) {
         renew_course(state.past_velocity, state.velocity, new_velocity_);
     } else {
         std::swap(state.velocity, new_velocity_);

@@ -65,9 +65,7 @@ class Condensed : public Strategy {
     void beside(int count, const std::function<void(int)>& task) const override {
         workers_->run(count, task);
     }
-    StartsMatter starts_matter() const override {
-        return storage_ == Storage::words ? StartsMatter::everywhere : StartsMatter::at_contact;
-    }
+    bool starts_matter() const override { return storage_ == Storage::words; }
     std::unique_ptr<StepProblem> prepare(const StepProblemInput& input) override;
 
   private:

@@ -83,8 +83,6 @@ struct StepProblemInput {
     NewtonOptions newton;
 };
 
-enum class StartsMatter { nowhere, at_contact, everywhere };
-
 /// A way to solve the steps' problems; it makes one object for each balance of a simulation. The objects
 /// refer to the matrix.
 class Strategy {
@@ -100,8 +98,8 @@ class Strategy {
         }
     }
 
-    /// Of which unknowns a start value near the solution saves work.
-    virtual StartsMatter starts_matter() const { return StartsMatter::nowhere; }
+    /// Whether its problems take less work with a start value near the solution.
+    virtual bool starts_matter() const { return false; }
 
     /// The processes that solve together.
     virtual const parallel::Team& team() const = 0;

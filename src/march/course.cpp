@@ -27,7 +27,8 @@ std::optional<CourseWeights> course_weights(const StepRule& rule, const State& s
     }
     CourseWeights weights;
     weights.latest = 1;
-    weights.count = std::min(course_order, state.even_steps);
+    const auto kept = std::ranges::find_if(past, [](const Nodal& values) { return values.empty(); });
+    weights.count = std::min(static_cast<int>(kept - past.begin()), state.even_steps);
     double of_difference = rule.alpha;  // Newton's: r, r (r + 1)/2, ... after r of the last steps
     for (int order = 1; order <= weights.count; ++order) {
         of_difference *= (rule.step / state.even_step + (order - 1)) / order;

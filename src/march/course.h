@@ -19,7 +19,7 @@ struct CourseWeights {
 };
 
 /// Nothing where there is no course: at first, and where no values were kept. As many steps count as were
-/// equal.
+/// equal and have left values: before a restart another strategy may have kept none.
 std::optional<CourseWeights> course_weights(const StepRule& rule, const State& state, const PastValues& past);
 
 /// The expected stage values [nodes][components] of the nodes in the range, from `y`, where the step begins;

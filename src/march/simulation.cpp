@@ -54,7 +54,8 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
         heat_.emplace(scene, part_.mesh, part_.space, graph_, *choice_.strategy, surfaces_, state_,
                       stage_motion(), sources.thermal);
     }
-    if (momentum_ && heat_ && momentum_->coupling() && heat_->strain_heating() && !scheme_.second_order()) {
+    if (momentum_ && heat_ && momentum_->coupling() != nullptr && heat_->strain_heating() != nullptr &&
+        !scheme_.second_order()) {
         strain_heat_factor_ = fem::factor_of_transposed(*momentum_->coupling(), *heat_->strain_heating());
     }
     look_for_free_motions();

@@ -30,7 +30,7 @@ std::vector<GridPlace> grid_places(const scene::MeshSpec& spec, std::size_t vert
     const Lattice lattice(spec);
     const bool has_midpoints = spec.cells.size() == 2 && spec.cell == "simplex" && spec.diagonal == "crossed";
     const std::int32_t midpoints = has_midpoints ? lattice.cells(0) * lattice.cells(1) : 0;
-    if (vertices != static_cast<std::size_t>(lattice.size() + midpoints)) {
+    if (vertices != static_cast<std::size_t>(lattice.size()) + static_cast<std::size_t>(midpoints)) {
         return {};
     }
     std::vector<GridPlace> places(nodes.size(), GridPlace{});

@@ -80,7 +80,7 @@ double output_seconds(const Models& models, const SpaceModel& space, const Discr
     if (models.frames == 0) {
         return rows;
     }
-    const double frames = 1.0 + choice.steps / output_every(choice.steps, models.frames);
+    const int frames = 1 + choice.steps / output_every(choice.steps, models.frames);
     return rows + frames * (models.writing.files + writing_per_forming * space.frame.at(choice.scale));
 }
 

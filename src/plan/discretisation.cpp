@@ -65,6 +65,7 @@ std::vector<int> coarsest_cells(const scene::Scene& scene) {
     divisor = std::max(divisor, 1);
     const auto divided = [&](int parts) {
         std::vector<int> result;
+        result.reserve(cells.size());
         for (const int count : cells) {
             result.push_back(count > 1 ? count / divisor * parts : 1);
         }
@@ -210,7 +211,7 @@ std::optional<Discretisation> halved_along(const Discretisation& from, std::size
     return choice;
 }
 
-Discretisation finer(Discretisation choice, bool refinable) {
+Discretisation finer(const Discretisation& choice, bool refinable) {
     return finer_in_time(refinable ? finer_in_space(choice) : choice);
 }
 

@@ -87,7 +87,7 @@ std::optional<Discretisation> halved_along(const Discretisation& from, std::size
                                            const std::vector<int>& scene_cells);
 
 /// In space, where the mesh can be refined, and in time.
-Discretisation finer(Discretisation choice, bool refinable);
+Discretisation finer(const Discretisation& choice, bool refinable);
 
 /// The tolerances of pilots, one after another.
 inline constexpr double first_tolerance = 1.0 / 16, tolerance_ratio = 8;

@@ -160,7 +160,7 @@ void Newton::polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, Nonlinea
     }
     Eigen::VectorXd candidate = x - factors_.solve(current.value);
     Residual next = residual(S * candidate, true, s, F, candidate);
-    if (next.norm < current.norm) {
+    if (current.by_product ? next.norm < current.norm : next.relative <= options_.tolerance) {
         x = std::move(candidate);
         current = std::move(next);
     }
@@ -221,7 +221,11 @@ NewtonResult Newton::iterate(const Eigen::MatrixXd& S, const Eigen::VectorXd& s,
     Secants secants;
     for (int iteration = 0;; ++iteration) {
         if (current.relative <= options_.tolerance) {
+            const double hoped = current.norm;
             polish(S, s, F, x, current);
+            if (current.norm > hoped) {  // sums of changes were all that it promised
+                polish(S, s, F, x, current);
+            }
         }
         if (current.relative <= options_.tolerance || iteration == options_.max_iterations) {
             renew();

@@ -135,8 +135,8 @@ class Newton {
     /// better. Never where it is more than may_be_round_off() allows.
     bool is_round_off(const Eigen::VectorXd& x, NonlinearTerm& F, const Residual& current) const;
 
-    /// One more update with the factors at hand, taken if it lowers the residual: it costs little and brings
-    /// the solution from the tolerance down to round-off.
+    /// One more update with the factors at hand, taken if it lowers the residual, or that of a sum of changes
+    /// is within the tolerance: it costs little and brings the solution from there down to round-off.
     void polish(const Eigen::MatrixXd& S, const Eigen::VectorXd& s, NonlinearTerm& F, Eigen::VectorXd& x,
                 Residual& current);
 

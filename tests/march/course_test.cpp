@@ -55,6 +55,19 @@ TEST(Course, ThroughFourValuesIsACubic) {
     }
 }
 
+/// Goes on from a checkpoint of a strategy that keeps no values: as many steps count as have left one since.
+TEST(Course, IsOfTheValuesThatWereKept) {
+    const auto line = [](double t) -> Nodal { return {2 + 3 * t, t}; };
+    Course course;
+    course.go(line, {0.25, 0.25, 0.25, 0.25});
+    course.past = {};
+    EXPECT_EQ(course.next(line, 0.25), (Nodal{-7, -7}));
+    course.go(line, {0.25});
+    const Nodal found = course.next(line, 0.25), there = line(1.5);
+    EXPECT_NEAR(found[0], there[0], 1e-13);
+    EXPECT_NEAR(found[1], there[1], 1e-13);
+}
+
 /// Values from before the steps were even are forgotten.
 TEST(Course, BeginsAnewWithAnotherLength) {
     const auto broken = [](double t) -> Nodal { return t < 1 ? Nodal{9 * t * t, 1} : Nodal{2 + 3 * t, t}; };

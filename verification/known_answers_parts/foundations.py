@@ -58,11 +58,12 @@ def taken_along(run: Run, thrown: Run, name: str) -> list[Row]:
 
 def round_off(run: Run) -> float:
     """Of internal forces in a body displaced by d: products E d, each rounded to 2^-53, which a node has with itself and
-    six neighbours, components apart; their sum over N nodes grows with the root of their number, thrice that at most.
+    six neighbours, components apart, of trace, shear and its transpose (src/fem/plane_rows.h); their sum over N nodes
+    grows with the root of their number, thrice that at most.
     """
     moved = float(np.abs(run.history["time"][-1] * run.scene["initial"]["velocity"][0])) / 2
     cells = run.scene["mesh"]["cells"]
-    products = 2 * 2 * 7 * (cells[0] + 1) * (cells[1] + 1)
+    products = 3 * 2 * 2 * 7 * (cells[0] + 1) * (cells[1] + 1)
     return 3 * math.sqrt(products) * float(run.scene["material"]["elasticity"]["young"]) * moved * 2.0**-53
 
 

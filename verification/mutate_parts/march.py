@@ -30,8 +30,8 @@ MUTATIONS = (
     Mutation(
         "strain-heat-of-second-order",
         "src/march/simulation.cpp",
-        "heat_->strain_heating() && !scheme_.second_order()",
-        "heat_->strain_heating()",
+        "heat_->strain_heating() != nullptr &&\n        !scheme_.second_order()) {",
+        "heat_->strain_heating() != nullptr) {",
         "lagged",
         "heat takes the strain that is known before the step in the paper's scheme only",
     ),
@@ -166,8 +166,8 @@ MUTATIONS = (
     Mutation(
         "course-unknown-values",
         "src/march/course.cpp",
-        "weights.count = std::min(course_order, state.even_steps);",
-        "weights.count = course_order;",
+        "weights.count = std::min(static_cast<int>(kept - past.begin()), state.even_steps);",
+        "weights.count = static_cast<int>(kept - past.begin());",
         "state",
         "values from before the steps were even are no part of the course",
     ),

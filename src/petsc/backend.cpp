@@ -104,8 +104,10 @@ void spare_networks() {
     } else if (std::getenv("PMI_SIZE") == nullptr && std::getenv("PMIX_RANK") == nullptr) {
         set_unless_given(
             {{"OMPI_MCA_ess_singleton_isolated", "1"}, {"OMPI_MCA_btl", "self"}, {"OMPI_MCA_pml", "ob1"}});
-#if OMPI_MAJOR_VERSION < 5
-        set_unless_given({{"OMPI_MCA_osc", "pt2pt"}});  // later ones have it no more
+#if OMPI_MAJOR_VERSION < 5  // later ones have neither
+        set_unless_given({{"OMPI_MCA_osc", "pt2pt"}});
+        // one folder serves all such processes of a user: the first to end takes it from one that begins
+        set_unless_given({{"OMPI_MCA_orte_create_session_dirs", "0"}});
 #endif
     }
 }

@@ -86,9 +86,9 @@ const char* describe(NewtonEnd end);
 
 /// Solves one condensed problem after another with the same S. The factors of the last derivative T are kept
 /// and used again for as long as they still cut the residual tenfold an iteration, which near a solution they
-/// nearly always do, or as much as makes them cheaper than new ones. A step d = -T^-1 r changes S x by S d =
-/// -r
-/// - (T - S) d, and T - S, of contact alone, is sparse: only where an iteration begins and ends is S read.
+/// nearly always do, or as much as makes them cheaper than new ones. A step d = -T^-1 r changes S x by
+/// S d = -r - (T - S) d, and T - S, of contact alone, is sparse: only where an iteration begins and ends is S
+/// read.
 class Newton {
   public:
     explicit Newton(NewtonOptions options) : options_(options) {}

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "error.h"
+#include "march/kept_factors.h"
 #include "march/vectors.h"
 #include "number.h"
+#include "solve/available_memory.h"
 #include "solve/panel_factor.h"
 #include "stopwatch.h"
 
@@ -53,9 +55,11 @@ void Balance::use(double tau) {
     if (found != systems_.end()) {
         std::rotate(systems_.begin(), found, found + 1);
     } else {
+        const double bytes = systems_.empty() ? 0.0 : sizeof(double) * static_cast<double>(factor_entries());
+        systems_.resize(std::min(factors_beside_another(systems_.size(), bytes, solve::available_memory()),
+                                 most_systems_ - 1));
         auto system = timed(factor_seconds_, [&] { return prepare(tau); });
         ++factorisations_;
-        systems_.resize(std::min(systems_.size(), most_systems_ - 1));
         systems_.insert(systems_.begin(), std::move(system));
         contact_.restrict_to(problem().contact_dofs());
     }

@@ -164,6 +164,14 @@ MUTATIONS = (
         "the parts of a step make up the step",
     ),
     Mutation(
+        "factors-without-room",
+        "src/march/kept_factors.h",
+        "available < copies_while_made * bytes",
+        "available < bytes",
+        "range",
+        "what a factor takes while it is made",
+    ),
+    Mutation(
         "course-unknown-values",
         "src/march/course.cpp",
         "weights.count = std::min(static_cast<int>(kept - past.begin()), state.even_steps);",

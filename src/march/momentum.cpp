@@ -294,7 +294,7 @@ double Momentum::velocity_norm(const std::vector<double>& w) const {
 
 double Momentum::strain_norm(std::vector<double> u) const {
     centre(u, dimension_);
-    return norm(plane_ ? fem::isotropic_matrix(plane_->divergences, {0, 1}) : *strain_gram_, u);
+    return plane_ ? norm(fem::isotropic_matrix(plane_->divergences, {0, 1}), u) : norm(*strain_gram_, u);
 }
 
 double Momentum::kinetic_energy(const State& state) const {

@@ -11,20 +11,36 @@
 namespace thermocontact::solve {
 namespace {
 
-/// Free unknowns: their dofs, and the inverse map (-1 where fixed).
+/// Free unknowns in the order in which they are eliminated, those of contact nodes last: their dofs, and the
+/// inverse map (-1 where fixed).
 struct FreeDofs {
     std::vector<std::int32_t> dofs;
     std::vector<std::int32_t> index;
+    std::int32_t contact = 0;  ///< how many of them, the last, are of contact nodes
 };
 
-FreeDofs number_free(const std::vector<char>& fixed) {
+FreeDofs number_free(const std::vector<char>& fixed, const std::vector<char>& contact,
+                     std::span<const std::int32_t> interior) {
     FreeDofs free{{}, std::vector<std::int32_t>(fixed.size(), -1)};
-    for (std::size_t dof = 0; dof < fixed.size(); ++dof) {
-        if (fixed[dof] == 0) {
-            free.index[dof] = static_cast<std::int32_t>(free.dofs.size());
-            free.dofs.push_back(static_cast<std::int32_t>(dof));
+    const std::size_t b = fixed.size() / contact.size();
+    const auto number_node = [&](std::size_t node) {
+        for (std::size_t dof = node * b; dof < (node + 1) * b; ++dof) {
+            if (fixed[dof] == 0) {
+                free.index[dof] = static_cast<std::int32_t>(free.dofs.size());
+                free.dofs.push_back(static_cast<std::int32_t>(dof));
+            }
+        }
+    };
+    for (const std::int32_t node : interior) {
+        number_node(static_cast<std::size_t>(node));
+    }
+    const std::size_t head = free.dofs.size();
+    for (std::size_t node = 0; node < contact.size(); ++node) {
+        if (contact[node] != 0) {
+            number_node(node);
         }
     }
+    free.contact = static_cast<std::int32_t>(free.dofs.size() - head);
     return free;
 }
 
@@ -63,71 +79,66 @@ std::vector<std::int32_t> order_interior(const fem::NodeGraph& graph, const std:
     return order;
 }
 
-/// Lower triangle of A over the free unknowns; those of contact nodes couple densely, so that they end as one
-/// block.
-SymmetricMatrix reduce(const fem::BlockMatrix& matrix, const FreeDofs& free,
-                       const std::vector<std::int32_t>& tail, const std::vector<char>& contact) {
+/// Calls call(column, row, value) with the entries of A's lower triangle over the free unknowns.
+template <typename Call>
+void each_entry(const fem::BlockMatrix& matrix, const FreeDofs& free, Call&& call) {
     const fem::NodeGraph& graph = *matrix.graph;
     const auto b = static_cast<std::size_t>(matrix.rows);
-    SymmetricMatrix result{static_cast<std::int32_t>(free.dofs.size()), {0}, {}, {}};
-    std::vector<double> dense(free.dofs.size(), 0.0);  // one column's entries in contact rows
-    const auto append = [&](std::int32_t row, double value) {
-        result.rows.push_back(row);
-        result.values.push_back(value);
-    };
-    for (std::int32_t column = 0; column < result.size; ++column) {
-        const auto dof = static_cast<std::size_t>(free.dofs[static_cast<std::size_t>(column)]);
-        const std::size_t node = dof / b, c = dof % b;
-        const bool in_tail = contact[node] != 0;
+    for (std::size_t node = 0; node + 1 < graph.offsets.size(); ++node) {
         for (auto i = static_cast<std::size_t>(graph.offsets[node]);
              i < static_cast<std::size_t>(graph.offsets[node + 1]); ++i) {
             const auto other = static_cast<std::size_t>(graph.columns[i]);
-            for (std::size_t r = 0; r < b; ++r) {
-                const std::int32_t row = free.index[other * b + r];
-                if (row < column) {
-                    continue;
-                }
-                // by symmetry, row node's blocks serve as column node's: A[other, r][node, c] = A[node,
-                // c][other, r]
-                const double value = matrix.values[(i * b + c) * b + r];
-                if (in_tail && contact[other] != 0) {
-                    dense[static_cast<std::size_t>(row)] = value;
-                } else {
-                    append(row, value);
+            for (std::size_t entry = 0; entry < b * b; ++entry) {
+                const std::size_t c = entry / b, r = entry % b;
+                const auto [column, row] = std::minmax({free.index[node * b + c], free.index[other * b + r]});
+                if (column >= 0 && (other != node || r >= c)) {
+                    call(static_cast<std::size_t>(column), row, matrix.values[i * b * b + entry]);
                 }
             }
         }
-        if (in_tail) {
-            for (auto row = std::ranges::lower_bound(tail, column); row != tail.end(); ++row) {
-                append(*row, std::exchange(dense[static_cast<std::size_t>(*row)], 0.0));
-            }
-            // merge the two sorted runs of this column
-            std::vector<std::pair<std::int32_t, double>> entries;
-            for (auto i = static_cast<std::size_t>(result.offsets.back()); i < result.rows.size(); ++i) {
-                entries.emplace_back(result.rows[i], result.values[i]);
-            }
-            std::ranges::sort(entries, {}, &std::pair<std::int32_t, double>::first);
-            for (std::size_t i = 0; i < entries.size(); ++i) {
-                const auto at = static_cast<std::size_t>(result.offsets.back()) + i;
-                std::tie(result.rows[at], result.values[at]) = entries[i];
-            }
-        }
-        result.offsets.push_back(static_cast<std::int32_t>(result.rows.size()));
     }
+}
+
+/// Lower triangle of A over the free unknowns, of each column the diagonal first; those of contact nodes
+/// couple densely, so that they end as one block.
+SymmetricMatrix reduce(const fem::BlockMatrix& matrix, const FreeDofs& free) {
+    const std::size_t size = free.dofs.size(), head = size - static_cast<std::size_t>(free.contact);
+    SymmetricMatrix result{static_cast<std::int32_t>(size), std::vector<std::int32_t>(size + 1, 0), {}, {}};
+    each_entry(matrix, free, [&](std::size_t column, std::int32_t, double) { ++result.offsets[column + 1]; });
+    for (std::size_t column = head; column < size; ++column) {
+        result.offsets[column + 1] = static_cast<std::int32_t>(size - column);
+    }
+    std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+    result.rows.resize(static_cast<std::size_t>(result.offsets.back()));
+    result.values.resize(result.rows.size(), 0.0);
+    std::vector<std::size_t> next(head);  // behind the diagonal
+    for (std::size_t column = 0; column < size; ++column) {
+        const auto begin = result.rows.begin() + result.offsets[column];
+        std::iota(begin, column < head ? begin + 1 : begin + static_cast<std::ptrdiff_t>(size - column),
+                  static_cast<std::int32_t>(column));
+        if (column < head) {
+            next[column] = static_cast<std::size_t>(result.offsets[column]) + 1;
+        }
+    }
+    each_entry(matrix, free, [&](std::size_t column, std::int32_t row, double value) {
+        const std::size_t below = static_cast<std::size_t>(row) - column;
+        const bool has_place = below == 0 || column >= head;
+        const std::size_t at =
+            has_place ? static_cast<std::size_t>(result.offsets[column]) + below : next[column]++;
+        result.rows[at] = row;
+        result.values[at] = value;
+    });
     return result;
 }
 
 /// Powers of 2 that bring the head's diagonal into [1/2, 2]; 1 in the tail, and where an entry is no pivot.
-std::vector<double> equilibrating(const SymmetricMatrix& matrix, const std::vector<std::int32_t>& tail) {
+std::vector<double> equilibrating(const SymmetricMatrix& matrix, std::int32_t tail) {
     std::vector<double> scales(static_cast<std::size_t>(matrix.size), 1.0);
-    for (std::size_t row = 0; row < scales.size(); ++row) {
+    for (std::size_t row = 0; row < static_cast<std::size_t>(matrix.size - tail); ++row) {
         const double diagonal = matrix.values[static_cast<std::size_t>(matrix.offsets[row])];
         if (std::isnormal(diagonal) && diagonal > 0) {
             scales[row] = std::ldexp(1.0, -std::ilogb(diagonal) / 2);
         }
-    }
-    for (const std::int32_t row : tail) {
-        scales[static_cast<std::size_t>(row)] = 1;
     }
     return scales;
 }
@@ -142,13 +153,18 @@ void scale(SymmetricMatrix& matrix, const std::vector<double>& scales) {
     }
 }
 
-/// Mean diagonal entry over the contact unknowns.
-double mean_diagonal(const SymmetricMatrix& matrix, const std::vector<std::int32_t>& tail) {
+/// Adds to the diagonal over the contact unknowns its mean, which is returned.
+double shift_tail(SymmetricMatrix& matrix, std::int32_t tail) {
+    const auto each_diagonal = [&](auto&& call) {
+        for (std::int32_t row = matrix.size - tail; row < matrix.size; ++row) {
+            call(matrix.values[static_cast<std::size_t>(matrix.offsets[static_cast<std::size_t>(row)])]);
+        }
+    };
     double sum = 0;
-    for (const std::int32_t row : tail) {
-        sum += matrix.values[static_cast<std::size_t>(matrix.offsets[static_cast<std::size_t>(row)])];
-    }
-    return tail.empty() ? 0.0 : sum / static_cast<double>(tail.size());
+    each_diagonal([&](double value) { sum += value; });
+    const double shift = tail == 0 ? 0.0 : sum / static_cast<double>(tail);
+    each_diagonal([&](double& value) { value += shift; });
+    return shift;
 }
 
 }  // namespace
@@ -166,38 +182,19 @@ CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vect
                                  const std::vector<char>& contact, std::span<const std::int32_t> interior,
                                  std::shared_ptr<Workers> workers, Storage storage)
     : workers_(std::move(workers)) {
-    const FreeDofs free = number_free(fixed);
+    const FreeDofs free = number_free(fixed, contact, interior);
     if (free.dofs.empty()) {
         schur_.resize(0, 0);
         return;
     }
-    const auto b = static_cast<std::size_t>(matrix.rows);
-    std::vector<std::int32_t> order, tail;
-    for (const std::int32_t node : interior) {
-        for (std::size_t c = 0; c < b; ++c) {
-            if (const auto i = free.index[static_cast<std::size_t>(node) * b + c]; i >= 0) {
-                order.push_back(i);
-            }
-        }
-    }
-    for (std::size_t i = 0; i < free.dofs.size(); ++i) {
-        if (contact[static_cast<std::size_t>(free.dofs[i]) / b] != 0) {
-            tail.push_back(static_cast<std::int32_t>(i));
-        }
-    }
-    order.insert(order.end(), tail.begin(), tail.end());
-
     // A body that only contact holds has a singular A but regular A_ii: a shift of A_cc, taken back from S,
     // lets the factorisation pass and changes nothing else.
-    SymmetricMatrix reduced = reduce(matrix, free, tail, contact);
-    const double shift = mean_diagonal(reduced, tail);
-    for (const std::int32_t row : tail) {
-        reduced.values[static_cast<std::size_t>(reduced.offsets[static_cast<std::size_t>(row)])] += shift;
-    }
-    const std::vector<double> scales = equilibrating(reduced, tail);
+    SymmetricMatrix reduced = reduce(matrix, free);
+    const double shift = shift_tail(reduced, free.contact);
+    const std::vector<double> scales = equilibrating(reduced, free.contact);
     scale(reduced, scales);
     try {
-        factor_.emplace(reduced, order, static_cast<std::int32_t>(tail.size()), workers_, storage);
+        factor_.emplace(reduced, free.contact, workers_, storage);
     } catch (const NotPositiveDefinite& failure) {
         throw NotPositiveDefinite{free.dofs[static_cast<std::size_t>(failure.row)]};
     }
@@ -205,7 +202,7 @@ CondensedSystem::CondensedSystem(const fem::BlockMatrix& matrix, const std::vect
         dofs_.push_back(free.dofs[static_cast<std::size_t>(i)]);
         scales_.push_back(scales[static_cast<std::size_t>(i)]);
     }
-    contact_dofs_.assign(dofs_.end() - static_cast<std::ptrdiff_t>(tail.size()), dofs_.end());
+    contact_dofs_.assign(dofs_.end() - free.contact, dofs_.end());
     schur_ = factor_->schur_complement();
     schur_.diagonal().array() -= shift;
     work_.resize(dofs_.size());

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace thermocontact::solve {
@@ -89,85 +90,74 @@ void subtract_products(const Dense& below, Eigen::Index begin, Eigen::Index rows
 
 }  // namespace
 
-Fronts::Fronts(const SymmetricMatrix& matrix, const Supernodes& supernodes)
-    : matrix_(&matrix),
-      supernodes_(&supernodes),
-      place_(static_cast<std::size_t>(matrix.size)),
-      children_(supernodes.count()),
-      updates_(supernodes.count()) {
-    std::vector<std::size_t> owner(place_.size());
-    for (std::size_t i = 0; i < place_.size(); ++i) {
-        place_[static_cast<std::size_t>(supernodes.order()[i])] = static_cast<std::int32_t>(i);
-    }
-    for (std::size_t s = 0; s < supernodes.count(); ++s) {
-        std::fill_n(owner.begin() + supernodes[s].first, supernodes[s].columns, s);
-    }
-    for (std::size_t s = 0; s < supernodes.count(); ++s) {
-        if (const auto below = supernodes[s].below(); !below.empty()) {
-            children_[owner[static_cast<std::size_t>(below.front())]].push_back(s);
-        }
-    }
-}
-
-void Fronts::add_matrix(const Supernode& supernode, Workspace& work) const {
-    double* column = work.panel.data();
-    for (std::int32_t c = 0; c < supernode.columns; ++c, column += supernode.rows.size()) {
-        const std::int32_t own = supernodes_->order()[static_cast<std::size_t>(supernode.first + c)];
-        for (std::int32_t i = matrix_->offsets[static_cast<std::size_t>(own)];
-             i < matrix_->offsets[static_cast<std::size_t>(own) + 1]; ++i) {
-            const std::int32_t row = matrix_->rows[static_cast<std::size_t>(i)];
-            const double value = matrix_->values[static_cast<std::size_t>(i)];
-            column[work.local[static_cast<std::size_t>(place_[static_cast<std::size_t>(row)])]] += value;
-            if (row == own) {
-                work.diagonal[static_cast<std::size_t>(c)] = value;
+Fronts::Fronts(const FrontTree& tree, std::span<const std::int32_t> first)
+    : tree_(&tree), first_(first), uses_(first.size(), 0), updates_(first.size()) {
+    for (std::size_t s = 0; s < first.size(); ++s) {
+        if (static_cast<std::size_t>(first[s]) == s) {
+            for (const std::int32_t child : tree.children(s)) {
+                ++uses_[static_cast<std::size_t>(first[static_cast<std::size_t>(child)])];
             }
         }
     }
 }
 
-void Fronts::add_update(std::size_t child, const Supernode& supernode, const Workspace& work, double* panel,
+void Fronts::add_matrix(std::size_t number, Workspace& work) const {
+    const auto rows = static_cast<std::ptrdiff_t>(tree_->supernodes()[number].rows.size());
+    tree_->each_entry(number, work.local, [&](std::int32_t column, std::int32_t place, double value) {
+        work.panel[static_cast<std::size_t>(column * rows + place)] += value;
+        if (place == column) {
+            work.diagonal[static_cast<std::size_t>(column)] = value;
+        }
+    });
+}
+
+void Fronts::add_update(std::size_t child, const Supernode& supernode, Workspace& work,
                         double* update) const {
-    const auto below = (*supernodes_)[child].below();
+    tree_->places(child, work.local, work.places);
     const auto rows = static_cast<std::ptrdiff_t>(supernode.rows.size());
-    std::vector<std::int32_t> places(below.size());
-    std::ranges::transform(below, places.begin(),
-                           [&](std::int32_t row) { return work.local[static_cast<std::size_t>(row)]; });
-    const double* from = updates_[child].data();
-    for (std::size_t c = 0; c < places.size(); ++c, from += places.size()) {
-        const std::ptrdiff_t column = places[c], columns = supernode.columns;
-        double* to = column < columns ? panel + column * rows
-                                      : update + (column - columns) * (rows - columns) - columns;
-        for (std::size_t r = c; r < places.size(); ++r) {
-            to[places[r]] += from[r];
+    const double* from = updates_[static_cast<std::size_t>(first_[child])].data();
+    const std::ptrdiff_t columns = supernode.columns;
+    for (std::size_t c = 0; c < work.places.size(); ++c, from += work.places.size()) {
+        for (std::size_t r = c; r < work.places.size(); ++r) {
+            const auto [column, row] = std::minmax<std::ptrdiff_t>({work.places[c], work.places[r]});
+            double& to = column < columns ? work.panel[static_cast<std::size_t>(column * rows + row)]
+                                          : update[(column - columns) * (rows - columns) + row - columns];
+            to += from[r];
         }
     }
 }
 
-void Fronts::assemble(std::size_t number, Workspace& work) {
-    const Supernode supernode = (*supernodes_)[number];
-    const std::size_t rows = supernode.rows.size(), columns = static_cast<std::size_t>(supernode.columns);
-    work.local.resize(place_.size());
-    for (std::size_t r = 0; r < rows; ++r) {
-        work.local[static_cast<std::size_t>(supernode.rows[r])] = static_cast<std::int32_t>(r);
+/// Fronts that run beside each other may have equal children.
+void Fronts::release(std::size_t child) {
+    const auto made = static_cast<std::size_t>(first_[child]);
+    if (std::atomic_ref(uses_[made]).fetch_sub(1) == 1) {
+        std::vector<double>().swap(updates_[made]);
     }
+}
+
+void Fronts::assemble(std::size_t number, Workspace& work) {
+    const Supernode supernode = tree_->supernodes()[number];
+    const std::size_t rows = supernode.rows.size(), columns = static_cast<std::size_t>(supernode.columns);
+    tree_->locate(number, work.local);
     work.panel.assign(rows * columns, 0.0);
     work.diagonal.assign(columns, 0.0);
     updates_[number].assign((rows - columns) * (rows - columns), 0.0);
-    add_matrix(supernode, work);
-    for (const std::size_t child : children_[number]) {
-        add_update(child, supernode, work, work.panel.data(), updates_[number].data());
-        std::vector<double>().swap(updates_[child]);
+    add_matrix(number, work);
+    for (const std::int32_t child : tree_->children(number)) {
+        add_update(static_cast<std::size_t>(child), supernode, work, updates_[number].data());
+        release(static_cast<std::size_t>(child));
     }
 }
 
 const double* Fronts::factor(std::size_t number, Workspace& work, const fem::Beside& beside) {
     assemble(number, work);
-    const Supernode supernode = (*supernodes_)[number];
+    const Supernodes& supernodes = tree_->supernodes();
+    const Supernode supernode = supernodes[number];
     const auto rows = static_cast<Eigen::Index>(supernode.rows.size()),
                columns = Eigen::Index{supernode.columns};
     const Dense L = dense(work.panel.data(), columns, columns, rows);
     if (const Eigen::Index failed = factor_triangle(L, work.diagonal.data()); failed >= 0) {
-        throw NotPositiveDefinite{supernodes_->order()[static_cast<std::size_t>(supernode.first + failed)]};
+        throw NotPositiveDefinite{supernodes.order()[static_cast<std::size_t>(supernode.first + failed)]};
     }
     if (const Eigen::Index count = rows - columns; count > 0) {
         const Dense below = dense(work.panel.data() + columns, count, columns, rows);

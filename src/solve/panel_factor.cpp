@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "fem/throwing_tasks.h"
+#include "solve/equal_fronts.h"
+#include "solve/front_stages.h"
 
 namespace thermocontact::solve {
 namespace {
@@ -55,36 +57,6 @@ Branches cut(const Supernodes& supernodes, std::span<const std::int32_t> in_head
     return cut_into_branches(parents, weights, total < smallest_cut ? 1 : branch_count);
 }
 
-/// The matrix with row order[i] as its i-th; rows of a column not sorted.
-SymmetricMatrix permute(const SymmetricMatrix& matrix, std::span<const std::int32_t> order) {
-    std::vector<std::int32_t> place(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        place[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i);
-    }
-    SymmetricMatrix result{matrix.size, std::vector<std::int32_t>(order.size() + 1, 0),
-                           std::vector<std::int32_t>(matrix.rows.size()),
-                           std::vector<double>(matrix.values.size())};
-    const auto each_entry = [&](auto&& call) {
-        for (std::size_t column = 0; column < order.size(); ++column) {
-            for (auto i = static_cast<std::size_t>(matrix.offsets[column]);
-                 i < static_cast<std::size_t>(matrix.offsets[column + 1]); ++i) {
-                const auto [first, last] =
-                    std::minmax(place[column], place[static_cast<std::size_t>(matrix.rows[i])]);
-                call(static_cast<std::size_t>(first), last, matrix.values[i]);
-            }
-        }
-    };
-    each_entry([&](std::size_t column, std::int32_t, double) { ++result.offsets[column + 1]; });
-    std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-    std::vector<std::int32_t> next(result.offsets.begin(), result.offsets.end() - 1);
-    each_entry([&](std::size_t column, std::int32_t row, double value) {
-        const auto at = static_cast<std::size_t>(next[column]++);
-        result.rows[at] = row;
-        result.values[at] = value;
-    });
-    return result;
-}
-
 void in_turn(int count, const std::function<void(int)>& task) {
     for (int i = 0; i < count; ++i) {
         task(i);
@@ -98,21 +70,30 @@ struct PanelFactor::Making {
     const Supernodes& supernodes;
     std::vector<std::int32_t> in_head;
     std::vector<std::int32_t> place;  ///< in the factor, of the supernodes' columns
+    FrontTree tree;
+    std::vector<std::int32_t> first;   ///< [supernodes]: of those with equal fronts
+    std::vector<std::int64_t> stored;  ///< [supernodes]: of the first ones, start in bytes_; -1: not yet
     Fronts fronts;
+
+    Making(const SymmetricMatrix& matrix, const Supernodes& all, std::int32_t head)
+        : supernodes(all),
+          in_head(columns_in_head(all, head)),
+          place(static_cast<std::size_t>(matrix.size)),
+          tree(matrix, all),
+          first(equal_fronts(tree, head)),
+          stored(all.count(), -1),
+          fronts(tree, first) {}
 };
 
-PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order,
-                         std::int32_t tail, std::shared_ptr<Workers> workers, Storage storage,
-                         std::int64_t smallest_cut)
+PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::int32_t tail, std::shared_ptr<Workers> workers,
+                         Storage storage, std::int64_t smallest_cut)
     : size_(matrix.size),
       head_(matrix.size - tail),
       storage_(storage),
       workers_(std::move(workers)),
       tail_(Eigen::MatrixXd::Zero(tail, tail)) {
-    const SymmetricMatrix permuted = permute(matrix, order);
-    const Supernodes supernodes(permuted, tail);
-    Making making{supernodes, columns_in_head(supernodes, head_),
-                  std::vector<std::int32_t>(static_cast<std::size_t>(size_)), Fronts(permuted, supernodes)};
+    const Supernodes supernodes(matrix, tail);
+    Making making(matrix, supernodes, head_);
     const Branches cuts = cut(supernodes, making.in_head, smallest_cut);
     std::iota(making.place.begin(), making.place.end(), 0);
     std::int32_t next = 0;
@@ -129,42 +110,39 @@ PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int
     number(cuts.trunk);
     order_.resize(static_cast<std::size_t>(size_));
     for (std::size_t i = 0; i < order_.size(); ++i) {
-        order_[static_cast<std::size_t>(making.place[i])] =
-            order[static_cast<std::size_t>(supernodes.order()[i])];
+        order_[static_cast<std::size_t>(making.place[i])] = supernodes.order()[i];
     }
     for (const std::vector<std::int32_t>& branch : cuts.branches) {
         branches_.push_back(lay_out(making, branch, first_outside_));
     }
     trunk_ = lay_out(making, cuts.trunk, size_);
-    try {
-        make_numbers(making, cuts);
-    } catch (const NotPositiveDefinite& failure) {
-        throw NotPositiveDefinite{order[static_cast<std::size_t>(failure.row)]};
-    }
+    make_numbers(making, cuts);
 }
 
-PanelFactor::Branch PanelFactor::lay_out(const Making& making, std::span<const std::int32_t> chosen,
+PanelFactor::Branch PanelFactor::lay_out(Making& making, std::span<const std::int32_t> chosen,
                                          std::int32_t end) {
-    Branch branch{panels_.size(), panels_.size(), {}, {}};
+    Branch branch{panels_.size(), panels_.size(), end, {}, {}};
     std::size_t most_rows = 0;
     for (const std::int32_t s : chosen) {
         const auto at = static_cast<std::size_t>(s);
         const Supernode supernode = making.supernodes[at];
         const std::int32_t columns = making.in_head[at],
                            rows = static_cast<std::int32_t>(supernode.rows.size());
-        Panel panel{making.place[static_cast<std::size_t>(supernode.first)],
-                    columns,
-                    rows,
-                    all_bytes_,
-                    static_cast<std::int64_t>(rows_.size()),
-                    0};
-        entries_ += stored(columns, rows);
-        all_bytes_ += panel_bytes(storage_, columns, rows);
-        for (const std::int32_t row : supernode.rows.subspan(static_cast<std::size_t>(columns))) {
-            rows_.push_back(making.place[static_cast<std::size_t>(row)]);
-            panel.within += rows_.back() < end ? 1 : 0;
+        std::int64_t& bytes = making.stored[static_cast<std::size_t>(making.first[at])];
+        if (bytes < 0) {
+            bytes = all_bytes_;
+            all_bytes_ += panel_bytes(storage_, columns, rows);
         }
-        panels_.push_back(panel);
+        panels_.push_back({making.place[static_cast<std::size_t>(supernode.first)], columns, rows, bytes,
+                           static_cast<std::int64_t>(rows_.size())});
+        entries_ += stored(columns, rows);
+        const auto add_row = [&](std::int32_t row) {
+            rows_.push_back(making.place[static_cast<std::size_t>(row)]);
+        };
+        for (std::int32_t c = columns; c < supernode.columns; ++c) {  // in the tail
+            add_row(supernode.first + c);
+        }
+        std::ranges::for_each(making.tree.below(at), add_row);
         most_rows = std::max(most_rows, supernode.rows.size());
     }
     branch.end = panels_.size();
@@ -173,49 +151,55 @@ PanelFactor::Branch PanelFactor::lay_out(const Making& making, std::span<const s
     return branch;
 }
 
-/// The branches beside each other, then the trunk and the tail, whose large fronts are shared.
+/// What several branches have, then the branches beside each other, then the trunk and the tail; large fronts
+/// are shared where they are not made beside others.
 void PanelFactor::make_numbers(Making& making, const Branches& cuts) {
     bytes_.resize(static_cast<std::size_t>(all_bytes_));
     const fem::Beside shared = [this](int count, const std::function<void(int)>& task) {
         workers_->run(count, task);
     };
+    const FrontStages stages = front_stages(making.tree, making.first, cuts);
+    make(making, stages.common, shared);
     fem::run_throwing(shared, static_cast<int>(branches_.size()), [&](int number) {
-        const auto at = static_cast<std::size_t>(number);
-        make(making, cuts.branches[at], branches_[at], in_turn);
+        make(making, stages.branches[static_cast<std::size_t>(number)], in_turn);
     });
-    make(making, cuts.trunk, trunk_, shared);
+    make(making, stages.trunk, shared);
     Fronts::Workspace work;
     for (std::size_t s = making.in_head.size(); s < making.supernodes.count(); ++s) {
-        store_tail(making.supernodes[s], making.fronts.factor(s, work, shared));
+        store_tail(making, s, making.fronts.factor(s, work, shared));
     }
 }
 
-void PanelFactor::make(Making& making, std::span<const std::int32_t> chosen, const Branch& branch,
-                       const fem::Beside& beside) {
+void PanelFactor::make(Making& making, std::span<const std::int32_t> chosen, const fem::Beside& beside) {
     Fronts::Workspace work;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const auto at = static_cast<std::size_t>(chosen[i]);
+    for (const std::int32_t s : chosen) {
+        const auto at = static_cast<std::size_t>(s);
         const double* numbers = making.fronts.factor(at, work, beside);
-        const Panel& panel = panels_[branch.begin + i];
-        std::byte* L = bytes_.data() + panel.bytes;
-        for (std::int32_t c = 0; c < panel.columns; c += group) {
-            const std::int32_t width = std::min(group, panel.columns - c);
-            const double* column = numbers + static_cast<std::ptrdiff_t>(c) * panel.rows + c;
-            store_group(storage_, column, panel.rows, width, panel.rows - c, L);
-            L += group_bytes(storage_, width, panel.rows - c);
+        const auto rows = static_cast<std::int32_t>(making.supernodes[at].rows.size());
+        std::byte* L = bytes_.data() + making.stored[at];
+        for (std::int32_t c = 0; c < making.in_head[at]; c += group) {
+            const std::int32_t width = std::min(group, making.in_head[at] - c);
+            store_group(storage_, numbers + static_cast<std::ptrdiff_t>(c) * rows + c, rows, width, rows - c,
+                        L);
+            L += group_bytes(storage_, width, rows - c);
         }
-        store_tail(making.supernodes[at], numbers);
+        store_tail(making, at, numbers);
     }
 }
 
 /// The columns of a supernode that are in the tail.
-void PanelFactor::store_tail(const Supernode& supernode, const double* numbers) {
-    const std::size_t rows = supernode.rows.size();
+void PanelFactor::store_tail(const Making& making, std::size_t number, const double* numbers) {
+    const Supernode supernode = making.supernodes[number];
+    const auto below = making.tree.below(number);
     for (std::int32_t c = std::clamp(head_ - supernode.first, 0, supernode.columns); c < supernode.columns;
          ++c) {
-        for (auto r = static_cast<std::size_t>(c); r < rows; ++r) {
-            tail_(supernode.rows[r] - head_, supernode.first + c - head_) =
-                numbers[static_cast<std::size_t>(c) * rows + r];
+        const std::int32_t column = supernode.first + c - head_;
+        const double* of_column = numbers + static_cast<std::size_t>(c) * supernode.rows.size();
+        for (std::int32_t r = c; r < supernode.columns; ++r) {
+            tail_(supernode.first + r - head_, column) = of_column[r];
+        }
+        for (std::size_t r = 0; r < below.size(); ++r) {
+            tail_(below[r] - head_, column) = of_column[static_cast<std::size_t>(supernode.columns) + r];
         }
     }
 }
@@ -234,11 +218,9 @@ void PanelFactor::forward(const Panel& panel, Branch& branch, std::vector<double
     std::copy_n(local, panel.columns, x.data() + panel.first_column);
     const std::int32_t* rows = rows_.data() + panel.below;
     const double* sums = local + panel.columns;
-    for (std::int32_t r = 0; r < panel.within; ++r) {
-        x[static_cast<std::size_t>(rows[r])] += sums[r];
-    }
-    for (std::int32_t r = panel.within; r < below; ++r) {
-        branch.outside[static_cast<std::size_t>(rows[r] - first_outside_)] += sums[r];
+    for (std::int32_t r = 0; r < below; ++r) {
+        double* to = rows[r] < branch.rows ? x.data() : branch.outside.data() - branch.rows;
+        to[rows[r]] += sums[r];
     }
 }
 

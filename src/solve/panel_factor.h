@@ -2,7 +2,8 @@
 ///
 /// L is computed by fronts (fronts.h), whose columns are stored at once. Solves that call BLAS on many small
 /// panels, as CHOLMOD's, reach a third of the memory bandwidth; here the columns of each supernode lie in
-/// groups of four (column_group.h), one after another.
+/// groups of four (column_group.h), one after another. Columns of equal fronts (equal_fronts.h) are stored,
+/// and read from memory, once.
 ///
 /// Supernodes of a large factor are sorted into branches of the elimination tree, which threads go through
 /// at the same time, and the trunk, which couples these. The order of all sums is that of the branches, so
@@ -30,15 +31,14 @@ constexpr std::int64_t worth_threads = 500'000;
 
 class PanelFactor {
   public:
-    /// Factors A with the fill-reducing `order` (order[i] = row of A that comes i-th); the last `tail` rows
-    /// of the order stay last as a set, and couple densely. With less than `smallest_cut` numbers there is
-    /// one branch only. The head is stored as `storage` says, the tail in double precision. Throws
+    /// Factors A, whose rows come in an order that keeps fill low (those of a column need not be sorted); its
+    /// last `tail` rows stay last as a set, and couple densely. With less than `smallest_cut` numbers there
+    /// is one branch only. The head is stored as `storage` says, the tail in double precision. Throws
     /// NotPositiveDefinite, or std::bad_alloc.
-    PanelFactor(const SymmetricMatrix& matrix, std::span<const std::int32_t> order, std::int32_t tail,
-                std::shared_ptr<Workers> workers, Storage storage = Storage::doubles,
-                std::int64_t smallest_cut = worth_threads);
+    PanelFactor(const SymmetricMatrix& matrix, std::int32_t tail, std::shared_ptr<Workers> workers,
+                Storage storage = Storage::doubles, std::int64_t smallest_cut = worth_threads);
 
-    /// order()[i]: row of A that is i-th in the factor (`order` refined).
+    /// order()[i]: row of A that is i-th in the factor (A's own order refined).
     const std::vector<std::int32_t>& order() const { return order_; }
 
     /// x := L_ii^-1 x_i on the head; the tail becomes x_t - L_ti x_i, the right-hand side of the Schur
@@ -51,28 +51,29 @@ class PanelFactor {
     /// L_tt L_tt^T, the Schur complement of the tail (dense, symmetric) [tail][tail].
     Eigen::MatrixXd schur_complement() const;
 
-    /// Numbers stored for L, the zeros that fill up groups among them.
+    /// Numbers in L, the zeros that fill up groups among them.
     std::int64_t entries() const { return entries_; }
+    /// What they take, equal columns once.
+    std::int64_t bytes() const { return all_bytes_; }
 
   private:
     struct Panel {
         std::int32_t first_column, columns, rows;
-        std::int64_t bytes;   ///< start in bytes_
-        std::int64_t below;   ///< start in rows_ of the rows below the diagonal block
-        std::int32_t within;  ///< how many of those, the first, are of the panel's branch
+        std::int64_t bytes;  ///< start in bytes_
+        std::int64_t below;  ///< start in rows_ of the rows below the diagonal block
     };
     struct Branch {
         std::size_t begin, end;       ///< of panels_
+        std::int32_t rows;            ///< those below this are the branch's own, or its descendants'
         std::vector<double> buffer;   ///< one panel's rows of the vector
-        std::vector<double> outside;  ///< what its panels add to the rows beyond all branches
+        std::vector<double> outside;  ///< what its panels add to the rows from there on
     };
 
     struct Making;
-    Branch lay_out(const Making& making, std::span<const std::int32_t> chosen, std::int32_t end);
-    void make(Making& making, std::span<const std::int32_t> chosen, const Branch& branch,
-              const fem::Beside& beside);
+    Branch lay_out(Making& making, std::span<const std::int32_t> chosen, std::int32_t end);
+    void make(Making& making, std::span<const std::int32_t> chosen, const fem::Beside& beside);
     void make_numbers(Making& making, const Branches& cuts);
-    void store_tail(const Supernode& supernode, const double* numbers);
+    void store_tail(const Making& making, std::size_t number, const double* numbers);
     void forward(const Panel& panel, Branch& branch, std::vector<double>& x) const;
     void backward(const Panel& panel, Branch& branch, std::vector<double>& x) const;
 

@@ -6,7 +6,7 @@
 
 namespace thermocontact::solve {
 
-/// A symmetric matrix, lower triangle by compressed columns with sorted rows.
+/// A symmetric matrix, lower triangle by compressed columns.
 struct SymmetricMatrix {
     std::int32_t size;
     std::vector<std::int32_t> offsets;

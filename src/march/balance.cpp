@@ -55,7 +55,7 @@ void Balance::use(double tau) {
     if (found != systems_.end()) {
         std::rotate(systems_.begin(), found, found + 1);
     } else {
-        const double bytes = systems_.empty() ? 0.0 : sizeof(double) * static_cast<double>(factor_entries());
+        const double bytes = systems_.empty() ? 0.0 : static_cast<double>(factor_size().bytes);
         systems_.resize(std::min(factors_beside_another(systems_.size(), bytes, solve::available_memory()),
                                  most_systems_ - 1));
         auto system = timed(factor_seconds_, [&] { return prepare(tau); });

@@ -81,7 +81,7 @@ class Balance {
     int cycles() const { return cycles_; }
     /// Whether start values near the solution save work.
     bool starts_matter() const { return strategy_->starts_matter(); }
-    std::int64_t factor_entries() const { return problem().factor_entries(); }
+    solve::FactorSize factor_size() const { return problem().factor_size(); }
     /// Of the system in use.
     solve::FactorUse factor_use() const { return problem().factor_use(); }
     /// What the system in use leaves of the last solution; see solve::StepProblem. Nothing where the last

@@ -124,7 +124,7 @@ class Simulation {
     std::int64_t temperature_unknowns() const { return scene_->heat ? part_.numbers.total() : 0; }
 
     /// Numbers stored in the Cholesky factors.
-    std::int64_t factor_entries() const;
+    solve::FactorSize factor_size() const;
 
     /// Unknowns that the contact laws depend on, of both balances, over all processes; every process calls.
     std::int64_t contact_unknowns() const;

@@ -45,9 +45,10 @@ StepSeconds Simulation::step_seconds() const {
     return seconds;
 }
 
-std::int64_t Simulation::factor_entries() const {
-    return (momentum_ ? momentum_->balance().factor_entries() : 0) +
-           (heat_ ? heat_->balance().factor_entries() : 0);
+solve::FactorSize Simulation::factor_size() const {
+    const solve::FactorSize momentum = momentum_ ? momentum_->balance().factor_size() : solve::FactorSize{},
+                            heat = heat_ ? heat_->balance().factor_size() : solve::FactorSize{};
+    return {momentum.entries + heat.entries, momentum.bytes + heat.bytes};
 }
 
 std::int64_t Simulation::contact_unknowns() const {

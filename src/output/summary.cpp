@@ -35,7 +35,7 @@ Json final_state(march::Simulation& simulation) {
 Json factors(march::Simulation& simulation) {
     Json result = Json::object();
     for (const march::Balance* balance : simulation.balances()) {
-        if (balance->factor_entries() > 0) {
+        if (balance->factor_size().entries > 0) {
             const solve::FactorUse use = balance->factor_use();
             result[balance->name()] = {{"numbers", use.single ? "single" : "double"},
                                        {"why", use.too_coarse ? "single was too coarse" : ""},
@@ -86,7 +86,8 @@ Json summary(const scene::Scene& scene, march::Simulation& simulation, const std
     result["solver"] = {{"strategy", simulation.strategy().name()},
                         {"why", simulation.why_strategy()},
                         {"processes", simulation.team().size()},
-                        {"factor_entries", simulation.factor_entries()},
+                        {"factor_entries", simulation.factor_size().entries},
+                        {"factor_bytes", simulation.factor_size().bytes},
                         {"contact_unknowns", simulation.contact_unknowns()}};
     result["solver"]["factors"] = factors(simulation);
     result["steps"] = simulation.state().step;

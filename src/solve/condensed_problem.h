@@ -26,7 +26,7 @@ class CondensedProblem : public StepProblem {
     std::optional<KeptDerivative> kept_derivative() const override;
     void take_up(const KeptDerivative& derivative) override;
     std::optional<Condition> condition(const std::vector<double>& solution) override;
-    std::int64_t factor_entries() const override { return system_.factor_entries(); }
+    FactorSize factor_size() const override { return {system_.factor_entries(), system_.factor_bytes()}; }
     FactorUse factor_use() const override { return {correction_.has_value(), too_coarse_, corrections_}; }
 
   private:

@@ -64,6 +64,7 @@ class CondensedSystem {
     bool add_expanded(const Eigen::VectorXd& contact, std::vector<double>& solution);
 
     std::int64_t factor_entries() const { return factor_ ? factor_->entries() : 0; }
+    std::int64_t factor_bytes() const { return factor_ ? factor_->bytes() : 0; }
 
   private:
     template <typename Work>

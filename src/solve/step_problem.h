@@ -23,6 +23,12 @@ struct FactorUse {
     int corrections = 0;      ///< passes beyond the first of a solve
 };
 
+/// Of a sparse factor, where there is one.
+struct FactorSize {
+    std::int64_t entries = 0;  ///< numbers in L
+    std::int64_t bytes = 0;    ///< what is kept of them: equal columns once (equal_fronts.h)
+};
+
 class StepProblem {
   public:
     virtual ~StepProblem() = default;
@@ -69,8 +75,7 @@ class StepProblem {
 
     virtual FactorUse factor_use() const { return {}; }
 
-    /// Numbers in the factors, where there are any.
-    virtual std::int64_t factor_entries() const { return 0; }
+    virtual FactorSize factor_size() const { return {}; }
 };
 
 /// What a strategy is told of a balance.

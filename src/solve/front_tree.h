@@ -49,8 +49,8 @@ class FrontTree {
     void each_of_matrix(std::size_t number, Call&& call) const {
         const Supernode supernode = (*supernodes_)[number];
         for (std::int32_t c = 0; c < supernode.columns; ++c) {
-            const auto own =
-                static_cast<std::size_t>(supernodes_->order()[static_cast<std::size_t>(supernode.first + c)]);
+            const std::int32_t column = supernode.first + c;
+            const auto own = static_cast<std::size_t>(supernodes_->order()[static_cast<std::size_t>(column)]);
             for (auto i = static_cast<std::size_t>(matrix_->offsets[own]);
                  i < static_cast<std::size_t>(matrix_->offsets[own + 1]); ++i) {
                 const auto row = place_[static_cast<std::size_t>(matrix_->rows[i])];

@@ -16,8 +16,9 @@ constexpr double smallest_pivot = 1e-14;
 constexpr Eigen::Index block = 32;  ///< columns eliminated by themselves, before BLAS takes what follows
 constexpr Eigen::Index tile = 128;  ///< rows below, which are one task
 
-Dense dense(double* numbers, Eigen::Index rows, Eigen::Index columns, Eigen::Index leading) {
-    return {numbers, rows, columns, Eigen::OuterStride<>(leading)};
+/// Rows and columns, and the numbers from one column to the next.
+Dense dense(double* numbers, Eigen::Index height, Eigen::Index width, Eigen::Index leading) {
+    return {numbers, height, width, Eigen::OuterStride<>(leading)};
 }
 
 /// L L^T = the lower triangle of A, in place. Returns the first column without a pivot, or -1.
@@ -45,7 +46,7 @@ Eigen::Index factor_block(Dense A, const double* diagonal) {
 }
 
 /// rows := rows L^-T.
-void solve_rows(const Dense& L, Dense rows) {
+void solve_rows(const Dense& L, const Dense& rows) {
     L.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rows);
 }
 
@@ -120,9 +121,9 @@ void Fronts::add_update(std::size_t child, const Supernode& supernode, Workspace
     for (std::size_t c = 0; c < work.places.size(); ++c, from += work.places.size()) {
         for (std::size_t r = c; r < work.places.size(); ++r) {
             const auto [column, row] = std::minmax<std::ptrdiff_t>({work.places[c], work.places[r]});
-            double& to = column < columns ? work.panel[static_cast<std::size_t>(column * rows + row)]
-                                          : update[(column - columns) * (rows - columns) + row - columns];
-            to += from[r];
+            double* to = column < columns ? work.panel.data() + column * rows
+                                          : update + (column - columns) * (rows - columns) - columns;
+            to[row] += from[r];
         }
     }
 }

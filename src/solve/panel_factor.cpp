@@ -44,8 +44,7 @@ Branches cut(const Supernodes& supernodes, std::span<const std::int32_t> in_head
     std::vector<std::int64_t> weights;
     for (std::size_t s = 0; s < in_head.size(); ++s) {
         const Supernode supernode = supernodes[s];
-        owner.resize(static_cast<std::size_t>(supernode.first + supernode.columns),
-                     static_cast<std::int32_t>(s));
+        owner.insert(owner.end(), static_cast<std::size_t>(supernode.columns), static_cast<std::int32_t>(s));
         weights.push_back(stored(in_head[s], static_cast<std::int32_t>(supernode.rows.size())));
     }
     for (std::size_t s = 0; s < in_head.size(); ++s) {

@@ -62,8 +62,8 @@ MUTATIONS = (
     Mutation(
         "front-across-tail",
         "src/solve/panel_factor.cpp",
-        "static_cast<std::size_t>(supernode.first + supernode.columns)",
-        "static_cast<std::size_t>(supernode.first + in_head[s])",
+        "owner.insert(owner.end(), static_cast<std::size_t>(supernode.columns), static_cast<std::int32_t>(s));",
+        "owner.insert(owner.end(), static_cast<std::size_t>(in_head[s]), static_cast<std::int32_t>(s));",
         "index",
         "a supernode across head and tail waits for the children of its tail, too",
     ),

@@ -13,7 +13,8 @@ namespace thermocontact::scene {
 
 namespace {
 
-constexpr std::size_t largest_file = 4 << 20;  // bytes
+constexpr std::size_t largest_file = 4 << 20;   // bytes
+constexpr std::size_t part_of_file = 16 << 10;  // bytes read at once: mostly all there is
 // toml++ recurses over nested tables, so that a hostile key "a.a.a..." would exhaust the stack.
 constexpr int most_dots_in_a_line = 100;
 constexpr int deepest_table = 100;
@@ -128,12 +129,16 @@ std::string read_text(const std::filesystem::path& path) {
         const bool exists = std::filesystem::exists(path, ignored);
         throw SceneError(name + (exists ? ": cannot be read" : ": no such file"));
     }
-    std::string text(largest_file + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    std::string text;
+    while (file && text.size() <= largest_file) {
+        const std::size_t before = text.size();
+        text.resize(before + part_of_file);
+        file.read(text.data() + before, static_cast<std::streamsize>(part_of_file));
+        text.resize(before + static_cast<std::size_t>(file.gcount()));
+    }
     if (file.bad()) {
         throw SceneError(name + ": cannot be read");
     }
-    text.resize(static_cast<std::size_t>(file.gcount()));
     if (text.size() > largest_file) {
         throw SceneError(name + ": larger than 4 MiB, hence no scene file");
     }

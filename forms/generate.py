@@ -156,7 +156,7 @@ def generate_laws(cell: str, degree: str, plane: str, output: str, laws: dict[st
 
 
 def compile_object(stem: str, output: str) -> str:
-    """With the flags that the linked kernels have."""
+    """With the flags that portable kernels have: several machines may share what is compiled."""
     import ffcx.codegeneration
 
     target = f"{output}/{stem}.o"
@@ -165,8 +165,11 @@ def compile_object(stem: str, output: str) -> str:
         "-O3",
         "-DNDEBUG",
         "-w",
+        "-fno-math-errno",
         "-fPIC",
         *(f"-I{folder}" for folder in folders),
+        "-include",
+        "fem/kernel_math.h",
         "-c",
         f"{output}/{stem}.c",
         "-o",

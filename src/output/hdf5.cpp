@@ -51,16 +51,18 @@ Hdf5Object::Hdf5Object(std::int64_t id, Close close, std::string_view what) : id
     }
 }
 
-Hdf5Writer::Hdf5Writer() : file_(create(), H5Fclose, "make a file in memory") {}
+Hdf5Writer::Hdf5Writer()
+    : file_(create(), H5Fclose, "make a file in memory"),
+      links_(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "set up links") {
+    check(H5Pset_create_intermediate_group(links_, 1), "set up links");
+}
 
 void Hdf5Writer::write_array(const std::string& path, std::int64_t file_type, std::int64_t memory_type,
                              std::size_t size, const void* values) {
     const std::string what = "write " + path;
-    const Hdf5Object links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, what);
-    check(H5Pset_create_intermediate_group(links, 1), what);
     const hsize_t extent = size;
     const Hdf5Object space(H5Screate_simple(1, &extent, nullptr), H5Sclose, what);
-    const Hdf5Object set(H5Dcreate2(file_, path.c_str(), file_type, space, links, H5P_DEFAULT, H5P_DEFAULT),
+    const Hdf5Object set(H5Dcreate2(file_, path.c_str(), file_type, space, links_, H5P_DEFAULT, H5P_DEFAULT),
                          H5Dclose, what);
     check(H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
 }

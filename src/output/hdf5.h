@@ -42,6 +42,7 @@ class Hdf5Writer {
                      std::size_t size, const void* values);
 
     Hdf5Object file_;
+    Hdf5Object links_;  ///< how all are made
 };
 
 /// Every reading function throws SystemError where there is no such object of that kind at `path`.

@@ -158,8 +158,8 @@ MUTATIONS = (
     Mutation(
         "number-digits",
         "src/number.cpp",
-        '"%.17g"',
-        '"%.15g"',
+        "print(17, value)",
+        "print(15, value)",
         "range",
         "17 digits restore a number",
     ),

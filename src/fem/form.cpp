@@ -82,7 +82,9 @@ void Form::gather(std::int32_t cell) {
         for (const std::int32_t node : field.dofmap->of(cell)) {
             const double* source = field.values->data() + static_cast<std::size_t>(node) *
                                                               static_cast<std::size_t>(field.components);
-            target = std::copy_n(source, field.components, target);
+            for (int c = 0; c < field.components; ++c) {  // few: a call takes longer
+                *target++ = source[c];
+            }
         }
     }
 }
@@ -106,19 +108,26 @@ void Form::add_cell(std::int32_t cell, std::span<double> tensor) {
 
 void Form::add_facet(const mesh::Facet& facet, std::span<double> tensor) {
     gather(facet.cell);
+    tabulate(facet, coefficients_.data(), coordinates_.data(), tensor.data());
+}
+
+void Form::tabulate(const mesh::Facet& facet, const double* coefficients, const double* vertices,
+                    double* tensor) const {
     const int local = facet.local;
-    for (const Tabulate tabulate : facet_calls_) {
-        tabulate(tensor.data(), coefficients_.data(), constants_of(facet.cell), coordinates_.data(), &local,
-                 nullptr);
+    for (const Tabulate call : facet_calls_) {
+        call(tensor, coefficients, constants_of(facet.cell), vertices, &local, nullptr);
     }
 }
 
-void Form::set_constant(const std::string& name, double value) {
+bool Form::set_constant(const std::string& name, double value) {
+    bool changed = false;
     if (const auto offset = constant_offsets_.find(name); offset != constant_offsets_.end()) {
         for (std::size_t i = offset->second; i < constants_.size(); i += constants_size_) {
+            changed = changed || constants_[i] != value;
             constants_[i] = value;
         }
     }
+    return changed;
 }
 
 }  // namespace thermocontact::fem

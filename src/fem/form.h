@@ -40,10 +40,19 @@ class Form {
     /// Adds the tensor of one facet to `tensor` (row-major).
     void add_facet(const mesh::Facet& facet, std::span<double> tensor);
 
-    /// Changes a scalar constant; nothing happens if the kernel does not use it.
-    void set_constant(const std::string& name, double value);
+    /// Changes a scalar constant; nothing happens if the kernel does not use it. Returns whether it had
+    /// another value.
+    bool set_constant(const std::string& name, double value);
+
+    /// Adds the tensor of one facet to `tensor` (row-major) from `coefficients` [coefficient_count()], cell
+    /// by cell as fields() name them, and the vertices of its cell [vertices][3].
+    void tabulate(const mesh::Facet& facet, const double* coefficients, const double* vertices,
+                  double* tensor) const;
 
     const std::string& name() const { return kernel_.name; }
+    int rank() const { return kernel_.rank; }
+    const std::vector<Field>& fields() const { return fields_; }
+    std::size_t coefficient_count() const { return coefficients_.size(); }
 
   private:
     Form(Kernel kernel, const mesh::Mesh& mesh, const Fields& fields, int rule,

@@ -23,10 +23,15 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
         taken["v_F"] = surface.velocity_of_foundation(*space_, components_);
     }
     const auto form = [&](const std::string& name) {
-        return std::make_unique<fem::Form>(
+        return fem::Form(
             fem::kernel_in_force(file + name, mesh.cell, space_->element.degree, surface.kernels), mesh,
             constants, taken, surface.rule);
     };
+    auto nodes = std::make_unique<fem::FacetNodes>(*space_, surface.facets);
+    const auto over_nodes = [&](const std::string& name) {
+        return std::make_unique<fem::FacetForm>(form(name), *space_, mesh, *nodes, components_);
+    };
+    auto residual = over_nodes(".residual"), jacobian = over_nodes(".jacobian");
     std::string regularised_by, width_key = "regularisation";
     double regularisation = 0;
     if (law == "friction" && multiplier == nullptr) {
@@ -42,12 +47,19 @@ void FacetTerm::add(const std::string& law, const mesh::Mesh& mesh, const Contac
     }
     const bool moves = !surface.laws.foundation_velocity.empty();
     const auto datum = fields.find(law == "compliance" ? "u_old" : law == "conductance" ? "theta_F" : "");
-    laws_.push_back({law, &surface.facets, form(".residual"), form(".jacobian"), multiplier, nullptr, nullptr,
-                     std::move(regularised_by), std::move(width_key), regularisation,
+    laws_.push_back({law, std::move(nodes), std::move(residual), std::move(jacobian), multiplier, nullptr,
+                     nullptr, std::move(regularised_by), std::move(width_key), regularisation,
                      datum != fields.end() ? datum->second.values : nullptr,
                      law == "friction" && moves ? &surface.foundation_velocity : nullptr});
+    for (std::size_t facet = 0; facet < surface.facets.size(); ++facet) {
+        for (const std::int32_t node : laws_.back().nodes->of(facet)) {
+            for (std::int32_t c = 0; c < components_; ++c) {
+                laws_.back().dofs.push_back(node * components_ + c);
+            }
+        }
+    }
     if (multiplier != nullptr) {
-        laws_.back().functional = form(".functional");
+        laws_.back().functional = std::make_unique<fem::Form>(form(".functional"));
         laws_.back().node_area = std::make_unique<fem::Form>(
             fem::find_kernel("kinematics.node_area", mesh.cell, space_->element.degree), mesh, constants);
     }
@@ -58,6 +70,11 @@ void FacetTerm::restrict_to(const std::vector<std::int32_t>& dofs) {
     index_.assign(unknown_->size(), -1);
     for (std::size_t i = 0; i < dofs.size(); ++i) {
         index_[static_cast<std::size_t>(dofs[i])] = static_cast<std::int32_t>(i);
+    }
+    for (Law& law : laws_) {
+        law.unknowns.resize(law.dofs.size());
+        std::ranges::transform(law.dofs, law.unknowns.begin(),
+                               [this](std::int32_t dof) { return index_[static_cast<std::size_t>(dof)]; });
     }
 }
 
@@ -80,7 +97,7 @@ double FacetTerm::stiffness_against_slip(const fem::BlockMatrix& matrix) const {
     std::vector<double> areas(space_->nodes.size(), 0.0);
     for (const Law& law : laws_) {
         if (law.multiplier != nullptr) {
-            fem::assemble_facets(*law.node_area, *law.facets, space_->dofmap, 1, areas);
+            fem::assemble_facets(*law.node_area, law.facets(), space_->dofmap, 1, areas);
         }
     }
     double largest = 0;
@@ -122,9 +139,9 @@ FacetTerm::MultiplierChange FacetTerm::update_multipliers() {
         }
         const std::vector<double> before = law.multiplier->values();
         tensor_.resize(law.multiplier->functional_size());
-        for_facets(law, [&](const mesh::Facet& facet, std::size_t number) {
+        for_facets(law, [&](std::size_t number) {
             std::ranges::fill(tensor_, 0.0);
-            law.functional->add_facet(facet, tensor_);
+            law.functional->add_facet(law.facets()[number], tensor_);
             law.multiplier->take(number, tensor_);
         });
         const std::vector<double>& now = law.multiplier->values();
@@ -186,11 +203,11 @@ bool FacetTerm::has_friction() const {
 
 template <typename Visit>
 void FacetTerm::for_facets(const Law& law, Visit&& visit) {
-    for (std::size_t i = 0; i < law.facets->size(); ++i) {
+    for (std::size_t i = 0; i < law.facets().size(); ++i) {
         if (law.multiplier != nullptr) {
             law.multiplier->show(i);
         }
-        visit((*law.facets)[i], i);
+        visit(i);
     }
 }
 
@@ -200,27 +217,16 @@ void FacetTerm::scatter(const Eigen::VectorXd& x) {
     }
 }
 
-void FacetTerm::unknowns_of(const mesh::Facet& facet) {
-    local_.clear();
-    for (const std::int32_t node : space_->dofmap.of(facet.cell)) {
-        for (std::int32_t c = 0; c < components_; ++c) {
-            const std::int32_t dof = node * components_ + c;
-            local_.push_back(index_[static_cast<std::size_t>(dof)]);
-        }
-    }
-}
-
 void FacetTerm::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) {
     scatter(x);
     value.setZero(x.size());
     for (const Law& law : laws_) {
-        for_facets(law, [&](const mesh::Facet& facet, std::size_t) {
-            unknowns_of(facet);
-            tensor_.assign(local_.size(), 0.0);
-            law.residual->add_facet(facet, tensor_);
-            for (std::size_t i = 0; i < local_.size(); ++i) {
-                if (local_[i] >= 0) {
-                    value[local_[i]] += tensor_[i];
+        for_facets(law, [&](std::size_t facet) {
+            const std::span<const double> tensor = law.residual->tensor(facet);
+            const std::span<const std::int32_t> unknowns = law.of_facet(law.unknowns, facet);
+            for (std::size_t i = 0; i < tensor.size(); ++i) {
+                if (unknowns[i] >= 0) {
+                    value[unknowns[i]] += tensor[i];
                 }
             }
         });
@@ -230,11 +236,8 @@ void FacetTerm::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& value) {
 void FacetTerm::visit_derivative(const Eigen::VectorXd& x, const Piece& visit) {
     scatter(x);
     for (const Law& law : laws_) {
-        for_facets(law, [&](const mesh::Facet& facet, std::size_t) {
-            unknowns_of(facet);
-            tensor_.assign(local_.size() * local_.size(), 0.0);
-            law.jacobian->add_facet(facet, tensor_);
-            visit(local_, tensor_);
+        for_facets(law, [&](std::size_t facet) {
+            visit(law.of_facet(law.unknowns, facet), law.jacobian->tensor(facet));
         });
     }
 }
@@ -280,62 +283,48 @@ std::vector<double> FacetTerm::magnitudes(const Eigen::VectorXd& x) {
 }
 
 /// Whether the compliance of the surface that exact friction acts on has a derivative on the facet.
-bool FacetTerm::presses(const mesh::Facet& facet, std::size_t friction) {
+bool FacetTerm::presses(std::size_t facet, std::size_t friction) {
     const auto compliance = std::ranges::find_if(laws_, [&](const Law& law) {
-        return law.name == "compliance" && law.facets == laws_[friction].facets;
+        return law.name == "compliance" && &law.facets() == &laws_[friction].facets();
     });
-    if (compliance == laws_.end()) {
-        return true;
-    }
-    const auto size = space_->dofmap.of(facet.cell).size() * static_cast<std::size_t>(components_);
-    std::vector<double> derivative(size * size, 0.0);
-    compliance->jacobian->add_facet(facet, derivative);
-    return std::ranges::any_of(derivative, [](double entry) { return entry != 0; });
+    return compliance == laws_.end() ||
+           std::ranges::any_of(compliance->jacobian->tensor(facet), [](double entry) { return entry != 0; });
 }
 
 void FacetTerm::visit_derivative_of(std::size_t law, const Piece& visit) {
-    std::vector<std::int32_t> dofs;
-    for_facets(laws_[law], [&](const mesh::Facet& facet, std::size_t) {
-        if (laws_[law].multiplier != nullptr && !presses(facet, law)) {
-            return;
+    for_facets(laws_[law], [&](std::size_t facet) {
+        if (laws_[law].multiplier == nullptr || presses(facet, law)) {
+            visit(laws_[law].of_facet(laws_[law].dofs, facet), laws_[law].jacobian->tensor(facet));
         }
-        dofs.clear();
-        for (const std::int32_t node : space_->dofmap.of(facet.cell)) {
-            for (std::int32_t c = 0; c < components_; ++c) {
-                dofs.push_back(node * components_ + c);
-            }
-        }
-        tensor_.assign(dofs.size() * dofs.size(), 0.0);
-        laws_[law].jacobian->add_facet(facet, tensor_);
-        visit(dofs, tensor_);
     });
 }
 
 void FacetTerm::nodal_forces(std::string_view name, std::vector<double>& forces) {
-    const auto d = static_cast<std::size_t>(components_);
     for (const Law& law : laws_) {
-        for (const mesh::Facet& facet : *law.facets) {
-            for (const std::int32_t node : space_->dofmap.of(facet.cell)) {
-                std::fill_n(forces.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(node) * d),
-                            d, 0.0);
-            }
+        for (const std::int32_t dof : law.dofs) {
+            forces[static_cast<std::size_t>(dof)] = 0;
         }
     }
     for (const Law& law : laws_) {
-        if (law.name == name) {
-            for_facets(law, [&](const mesh::Facet& facet, std::size_t) {
-                fem::assemble_facets(*law.residual, {&facet, 1}, space_->dofmap, components_, forces);
-            });
+        if (law.name != name) {
+            continue;
         }
+        for_facets(law, [&](std::size_t facet) {
+            const std::span<const double> tensor = law.residual->tensor(facet);
+            const std::span<const std::int32_t> dofs = law.of_facet(law.dofs, facet);
+            for (std::size_t i = 0; i < tensor.size(); ++i) {
+                forces[static_cast<std::size_t>(dofs[i])] += tensor[i];
+            }
+        });
     }
 }
 
 std::vector<std::int32_t> FacetTerm::nodes_with_forces() const {
     std::vector<std::int32_t> nodes;
     for (const Law& law : laws_) {
-        for (const mesh::Facet& facet : *law.facets) {
-            const auto of_cell = space_->dofmap.of(facet.cell);
-            nodes.insert(nodes.end(), of_cell.begin(), of_cell.end());
+        for (std::size_t facet = 0; facet < law.facets().size(); ++facet) {
+            const auto of_facet = law.nodes->of(facet);
+            nodes.insert(nodes.end(), of_facet.begin(), of_facet.end());
         }
     }
     std::ranges::sort(nodes);
@@ -349,14 +338,11 @@ double FacetTerm::power_of_foundations() {
         if (law.foundation_velocity == nullptr) {
             continue;
         }
-        for_facets(law, [&](const mesh::Facet& facet, std::size_t) {
-            const auto nodes = space_->dofmap.of(facet.cell);
-            const auto d = static_cast<std::size_t>(components_);
-            tensor_.assign(nodes.size() * d, 0.0);
-            law.residual->add_facet(facet, tensor_);  // -sigma_t
-            for (std::size_t i = 0; i < tensor_.size(); ++i) {
-                power -= tensor_[i] *
-                         (*law.foundation_velocity)[static_cast<std::size_t>(nodes[i / d]) * d + i % d];
+        for_facets(law, [&](std::size_t facet) {
+            const std::span<const double> tensor = law.residual->tensor(facet);  // -sigma_t
+            const std::span<const std::int32_t> dofs = law.of_facet(law.dofs, facet);
+            for (std::size_t i = 0; i < tensor.size(); ++i) {
+                power -= tensor[i] * (*law.foundation_velocity)[static_cast<std::size_t>(dofs[i])];
             }
         });
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fem/block_matrix.h"
-#include "fem/form.h"
+#include "fem/facet_form.h"
 #include "model/contact_surface.h"
 #include "solve/newton.h"
 
@@ -104,8 +104,8 @@ class FacetTerm : public solve::NonlinearTerm {
   private:
     struct Law {
         std::string name;
-        const std::vector<mesh::Facet>* facets;
-        std::unique_ptr<fem::Form> residual, jacobian;
+        std::unique_ptr<fem::FacetNodes> nodes;
+        std::unique_ptr<fem::FacetForm> residual, jacobian;
         FrictionMultiplier* multiplier;                    ///< of exact friction, else null
         std::unique_ptr<fem::Form> functional, node_area;  ///< likewise
         std::string regularised_by;                        ///< its constant's name
@@ -113,18 +113,27 @@ class FacetTerm : public solve::NonlinearTerm {
         double regularisation;             ///< 0: none; of exact friction the width, which is no constant
         const std::vector<double>* datum;  ///< u_old, theta_F: what is added to the unknown, or k times that
         const std::vector<double>* foundation_velocity;  ///< v_F of friction; null at rest
+        std::vector<std::int32_t> dofs = {};             ///< [facets][nodes of one][components]
+        /// The same: number among the contact unknowns, or -1.
+        std::vector<std::int32_t> unknowns = {};
+
+        const std::vector<mesh::Facet>& facets() const { return nodes->facets(); }
+        std::span<const std::int32_t> of_facet(const std::vector<std::int32_t>& list,
+                                               std::size_t facet) const {
+            const std::size_t size = list.size() / facets().size();
+            return {list.data() + facet * size, size};
+        }
     };
 
-    /// Calls visit(facet, its number) with the facet's multiplier shown to the forms.
+    /// Calls visit(number of the facet) with the facet's multiplier shown to the forms.
     template <typename Visit>
     static void for_facets(const Law& law, Visit&& visit);
 
     void add_sensitivity_of(std::size_t law, Eigen::VectorXd& noise);
     void add_product_of_magnitudes(std::size_t law, double factor, const std::vector<double>& values,
                                    Eigen::VectorXd& sum);
-    bool presses(const mesh::Facet& facet, std::size_t friction);
+    bool presses(std::size_t facet, std::size_t friction);
     void scatter(const Eigen::VectorXd& x);
-    void unknowns_of(const mesh::Facet& facet);
 
     const fem::Space* space_;
     int components_;
@@ -134,7 +143,6 @@ class FacetTerm : public solve::NonlinearTerm {
     std::vector<Law> laws_;
     std::vector<std::int32_t> dofs_;
     std::vector<std::int32_t> index_;  ///< [dofs]: number among the contact unknowns, or -1
-    std::vector<std::int32_t> local_;  ///< contact unknowns of one facet's cell, or -1
     std::vector<double> tensor_;
 };
 

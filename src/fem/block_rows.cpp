@@ -5,7 +5,7 @@
 namespace thermocontact::fem {
 namespace {
 
-/// y += A x (transposed: y += A^T x) for one block.
+/// y += A x for one block.
 template <int rows, int columns>
 inline void add_block(const double* block, const double* x, double* y) {
     for (int r = 0; r < rows; ++r) {
@@ -14,6 +14,30 @@ inline void add_block(const double* block, const double* x, double* y) {
         }
     }
 }
+
+/// A row's sum A x entry by entry of the blocks: each adds up by itself, so that none waits for the others.
+/// On meshes that stay in a cache that wait is what a product takes.
+template <int rows, int columns>
+struct EntrySums {
+    double of[rows * columns] = {};
+
+    void add(const double* block, const double* x) {
+        for (int r = 0; r < rows; ++r) {
+            for (int c = 0; c < columns; ++c) {
+                of[r * columns + c] += block[r * columns + c] * x[c];
+            }
+        }
+    }
+    double total(int row) const {
+        double sum = 0;
+        for (int c = 0; c < columns; ++c) {
+            sum += of[row * columns + c];
+        }
+        return sum;
+    }
+};
+
+/// y += A^T x for one block.
 template <int size>
 inline void add_transposed(const double* block, const double* x, double* y) {
     for (int r = 0; r < size; ++r) {
@@ -33,19 +57,20 @@ void multiply_symmetric(const BlockMatrix& matrix, NodeRange range, double facto
     const double* block = matrix.values.data() + first * next;
     for (std::ptrdiff_t i = range.begin; i < range.end; ++i) {
         const std::int32_t* end = graph.columns.data() + graph.offsets[static_cast<std::size_t>(i) + 1];
-        double here[size], sum[size] = {};
-        add_block<size, size>(block, x + i * size, sum);
+        double here[size];
+        EntrySums<size, size> sums;
+        sums.add(block, x + i * size);
         for (int c = 0; c < size; ++c) {
             here[c] = factor * x[i * size + c];
         }
         for (++column, block += next; column < end; ++column, block += next) {
             prefetch_after<std::size_t{size} * size>(block);
             const std::ptrdiff_t j = std::ptrdiff_t{*column} * size;
-            add_block<size, size>(block, x + j, sum);
+            sums.add(block, x + j);
             add_transposed<size>(block, here, later + j);
         }
         for (int r = 0; r < size; ++r) {
-            y[i * size + r] += factor * sum[r];
+            y[i * size + r] += factor * sums.total(r);
         }
     }
 }
@@ -58,7 +83,8 @@ void multiply_pairs(const BlockMatrix& matrix, NodeRange range, double factor, c
     const double* block =
         matrix.values.data() + graph.offsets[static_cast<std::size_t>(range.begin)] * 2 * half;
     for (std::ptrdiff_t i = range.begin; i < range.end; ++i) {
-        double here[columns], sum[rows] = {};
+        double here[columns];
+        EntrySums<rows, columns> sums;
         for (int c = 0; c < columns; ++c) {
             here[c] = factor * x[i * columns + c];
         }
@@ -66,11 +92,11 @@ void multiply_pairs(const BlockMatrix& matrix, NodeRange range, double factor, c
              p < graph.offsets[static_cast<std::size_t>(i) + 1]; ++p, block += 2 * half) {
             prefetch_after<std::size_t{2} * rows * columns>(block);
             const std::ptrdiff_t j = graph.columns[static_cast<std::size_t>(p)];
-            add_block<rows, columns>(block, x + j * columns, sum);
+            sums.add(block, x + j * columns);
             add_block<rows, columns>(block + half, here, later + j * rows);  // zero where i = j
         }
         for (int r = 0; r < rows; ++r) {
-            y[i * rows + r] += factor * sum[r];
+            y[i * rows + r] += factor * sums.total(r);
         }
     }
 }
@@ -84,21 +110,30 @@ void multiply_scaled(const BlockMatrix& matrix, NodeRange range, double factor, 
     const double* value = matrix.values.data() + first;
     for (std::ptrdiff_t i = range.begin; i < range.end; ++i) {
         const std::int32_t* end = graph.columns.data() + graph.offsets[static_cast<std::size_t>(i) + 1];
-        double here[components], sum[components] = {};
+        double here[components], sum[components], other[components] = {};
         for (int c = 0; c < components; ++c) {
             here[c] = factor * x[i * components + c];
             sum[c] = *value * x[i * components + c];
         }
-        for (++column, ++value; column < end; ++column, ++value) {
+        const auto add = [&](double* to) {
             const std::ptrdiff_t j = std::ptrdiff_t{*column} * components;
             prefetch_after<1>(value);
             for (int c = 0; c < components; ++c) {
-                sum[c] += *value * x[j + c];
+                to[c] += *value * x[j + c];
                 later[j + c] += *value * here[c];
             }
+            ++column;
+            ++value;
+        };
+        for (++column, ++value; column + 1 < end;) {  // two sums by turns: neither waits for the other
+            add(sum);
+            add(other);
+        }
+        if (column < end) {
+            add(sum);
         }
         for (int c = 0; c < components; ++c) {
-            y[i * components + c] += factor * sum[c];
+            y[i * components + c] += factor * (sum[c] + other[c]);
         }
     }
 }
@@ -106,35 +141,38 @@ void multiply_scaled(const BlockMatrix& matrix, NodeRange range, double factor, 
 /// sum_i x_i . (A_ii x_i + 2 sum_{j > i} A_ij x_j).
 template <int size, bool scaled>
 double quadratic(const BlockMatrix& matrix, NodeRange range, const double* x) {
+    constexpr int entries = scaled ? 1 : size * size;
     const NodeGraph& graph = *matrix.graph;
     const std::ptrdiff_t first = graph.offsets[static_cast<std::size_t>(range.begin)];
     const std::int32_t* column = graph.columns.data() + first;
-    const double* block = matrix.values.data() + first * (scaled ? 1 : size * size);
-    const auto add = [&](double* sum) {
+    const double* block = matrix.values.data() + first * entries;
+    const auto add = [&](EntrySums<size, scaled ? 1 : size>& sums) {
         const double* values = x + std::ptrdiff_t{*column} * size;
-        prefetch_after<scaled ? 1 : std::size_t{size} * size>(block);
-        for (int r = 0; r < size; ++r) {
-            if constexpr (scaled) {
-                sum[r] += *block * values[r];
-            } else {
-                for (int c = 0; c < size; ++c) {
-                    sum[r] += block[r * size + c] * values[c];
-                }
+        prefetch_after<entries>(block);
+        if constexpr (scaled) {
+            for (int r = 0; r < size; ++r) {
+                sums.of[r] += *block * values[r];
             }
+        } else {
+            sums.add(block, values);
         }
         ++column;
-        block += scaled ? 1 : size * size;
+        block += entries;
     };
     double total = 0;
     for (std::ptrdiff_t i = range.begin; i < range.end; ++i) {
         const std::int32_t* end = graph.columns.data() + graph.offsets[static_cast<std::size_t>(i) + 1];
-        double diagonal[size] = {}, others[size] = {};
+        EntrySums<size, scaled ? 1 : size> diagonal, even, odd;
         add(diagonal);
-        while (column < end) {
-            add(others);
+        while (column + 1 < end) {
+            add(even);
+            add(odd);
+        }
+        if (column < end) {
+            add(even);
         }
         for (int r = 0; r < size; ++r) {
-            total += x[i * size + r] * (diagonal[r] + 2 * others[r]);
+            total += x[i * size + r] * (diagonal.total(r) + 2 * (even.total(r) + odd.total(r)));
         }
     }
     return total;

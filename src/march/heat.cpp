@@ -1,6 +1,7 @@
 #include "march/heat.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -329,7 +330,8 @@ void Heat::accept(State& state, const Scheme& scheme) {
 }
 
 double Heat::temperature_norm(const std::vector<double>& theta) const {
-    return norm(theta, (gram_ ? *gram_ : *capacity_).multiply(theta));
+    const double square = team_->sum((gram_ ? *gram_ : *capacity_).quadratic_form(theta));
+    return std::sqrt(std::max(0.0, square / capacity_density_.value_or(1.0)));
 }
 
 double Heat::content(const State& state) const {

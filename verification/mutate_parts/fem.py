@@ -38,10 +38,18 @@ MUTATIONS = (
     Mutation(
         "quadratic-others",
         "src/fem/block_rows.cpp",
-        "(diagonal[r] + 2 * others[r])",
-        "(diagonal[r] + others[r])",
+        "(diagonal.total(r) + 2 * (even.total(r) + odd.total(r)))",
+        "(diagonal.total(r) + (even.total(r) + odd.total(r)))",
         "factor",
         "both triangles count in a norm",
+    ),
+    Mutation(
+        "quadratic-last-pair",
+        "src/fem/block_rows.cpp",
+        "while (column + 1 < end) {",
+        "while (column + 2 < end) {",
+        "range",
+        "blocks are taken in pairs up to the last pair of a row",
     ),
     Mutation(
         "facet-form-kept",
@@ -102,8 +110,8 @@ MUTATIONS = (
     Mutation(
         "traversal-factor",
         "src/fem/block_rows.cpp",
-        "y[i * size + r] += factor * sum[r];",
-        "y[i * size + r] += sum[r];",
+        "y[i * size + r] += factor * sums.total(r);",
+        "y[i * size + r] += sums.total(r);",
         "factor",
         "from + factor A x",
     ),

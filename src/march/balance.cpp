@@ -15,6 +15,8 @@
 namespace thermocontact::march {
 namespace {
 
+/// Bytes of a factor that takes less time than to ask how much memory there is.
+constexpr double always_fits = 1 << 20;
 constexpr int most_updates = 50;  ///< of the friction multiplier in one solve
 /// gamma over the body's largest stiffness against slip: an update leaves about 1/stiffening of what sticks
 /// wrongly.
@@ -56,8 +58,10 @@ void Balance::use(double tau) {
         std::rotate(systems_.begin(), found, found + 1);
     } else {
         const double bytes = systems_.empty() ? 0.0 : static_cast<double>(factor_size().bytes);
-        systems_.resize(std::min(factors_beside_another(systems_.size(), bytes, solve::available_memory()),
-                                 most_systems_ - 1));
+        const std::size_t kept =
+            bytes < always_fits ? systems_.size()
+                                : factors_beside_another(systems_.size(), bytes, solve::available_memory());
+        systems_.resize(std::min(kept, most_systems_ - 1));
         auto system = timed(factor_seconds_, [&] { return prepare(tau); });
         ++factorisations_;
         systems_.insert(systems_.begin(), std::move(system));

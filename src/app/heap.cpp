@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 
@@ -24,6 +25,9 @@ void prepare_heap() {
     if (to_first_page < grown) {  // a hint: without it all works, slower
         madvise(begin + to_first_page, grown - to_first_page, MADV_HUGEPAGE);
     }
+#ifdef MADV_POPULATE_WRITE
+    madvise(begin, std::min<std::uintptr_t>(to_first_page + page, grown), MADV_POPULATE_WRITE);
+#endif
     mallopt(M_TOP_PAD, page);
 }
 

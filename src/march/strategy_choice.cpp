@@ -54,11 +54,19 @@ Prospect foresee(const scene::Scene& scene, const fem::NodeGraph& graph, const f
     Prospect result;
     result.krylov.seconds = solve::petsc_start;
     std::vector<solve::BalanceSize> sizes;
+    std::vector<char> counted;  // the contact nodes of `node`, a factor with one unknown a node
+    solve::BalanceSize node{};
     const auto add = [&](int components, const std::vector<char>& contact) {
         solve::BalanceSize size = solve::measure(graph, components, contact);
         const bool dense_fits = solve::can_condense(size) && solve::condensed_cost(size, 0).bytes <= memory;
         if (dense_fits) {
-            size = solve::measure(graph, components, contact, orders.without(contact));
+            if (counted != contact) {  // mostly the balances share them
+                node = solve::measure(graph, 1, contact, orders.without(contact));
+                counted = contact;
+            }
+            const double b = components;
+            size.factor_entries = b * b * node.factor_entries;
+            size.factor_operations = b * b * b * node.factor_operations;
         }
         result.fits = result.fits && dense_fits && solve::can_condense(size);
         sizes.push_back(size);

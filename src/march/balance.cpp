@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "error.h"
-#include "march/kept_factors.h"
 #include "march/vectors.h"
 #include "number.h"
 #include "solve/available_memory.h"
@@ -50,17 +49,20 @@ Balance::Balance(std::string name, const scene::SolverSpec& options, Assembly as
       contact_(std::move(contact)),
       space_(&space),
       strategy_(&strategy),
-      unknown_(&unknown) {}
+      unknown_(&unknown),
+      memory_of_others_(share_left * solve::available_memory()) {}
 
 void Balance::use(double tau) {
+    recency_.note(tau);
     const auto found = std::ranges::find(systems_, tau, [](const auto& system) { return system->tau; });
     if (found != systems_.end()) {
         std::rotate(systems_.begin(), found, found + 1);
     } else {
         const double bytes = systems_.empty() ? 0.0 : static_cast<double>(factor_size().bytes);
-        const std::size_t kept =
-            bytes < always_fits ? systems_.size()
-                                : factors_beside_another(systems_.size(), bytes, solve::available_memory());
+        const std::size_t kept = bytes < always_fits
+                                     ? systems_.size()
+                                     : factors_beside_another(systems_.size(), bytes,
+                                                              solve::available_memory() - memory_of_others_);
         systems_.resize(std::min(kept, most_systems_ - 1));
         auto system = timed(factor_seconds_, [&] { return prepare(tau); });
         ++factorisations_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "error.h"
+#include "march/kept_factors.h"
 #include "march/snapshot.h"
 #include "march/state.h"
 #include "model/facet_term.h"
@@ -77,6 +78,8 @@ class Balance {
     const StepSeconds& seconds() const { return seconds_; }
     double factor_seconds() const { return factor_seconds_; }
     int factorisations() const { return factorisations_; }
+    /// That the same steps would have taken, were so many systems kept.
+    int factorisations_keeping(std::size_t systems) const { return recency_.made(systems); }
     /// Newton iterations, of steps and of rungs of continuation, that ended as contact states recurred.
     int cycles() const { return cycles_; }
     /// Whether start values near the solution save work.
@@ -129,12 +132,14 @@ class Balance {
     const fem::Space* space_;
     solve::Strategy* strategy_;
     std::vector<double>* unknown_;
+    double memory_of_others_;                         ///< bytes that factors leave free
     bool solved_ = false;                             ///< by the last solve()
     std::optional<model::FreeMotions> free_motions_;  ///< empty: inertia holds all of them
     FreeMotionWords words_{};
     StepSeconds seconds_;
     double factor_seconds_ = 0;
     int factorisations_ = 0;  ///< systems prepared
+    Recency recency_;
     int cycles_ = 0;
     std::size_t most_systems_ = 4;                  ///< a step, its halves, and those a scheme starts with
     std::vector<std::unique_ptr<System>> systems_;  ///< the one in use first, then by their last use

@@ -18,7 +18,6 @@ namespace thermocontact::march {
 namespace {
 
 constexpr int most_coupling_iterations = 50;
-constexpr std::size_t adaptive_systems = 12;  ///< kept of each balance: a rung each, and changes between two
 
 parallel::Part make_part(const scene::Scene& scene, const parallel::Backend* backend,
                          const mesh::Mesh* given) {
@@ -72,10 +71,10 @@ Simulation::Simulation(const scene::Scene& scene, const model::Sources& sources,
 void Simulation::prepare() {
     if (control_) {
         if (momentum_) {
-            momentum_->balance().keep(adaptive_systems);
+            momentum_->balance().keep(adaptive_factors);
         }
         if (heat_) {
-            heat_->balance().keep(adaptive_systems);
+            heat_->balance().keep(adaptive_factors);
         }
     }
     const double k = rule(Subdivision(state_.halvings)).step;

@@ -110,6 +110,8 @@ class Simulation {
     double factor_seconds() const;
     /// How many that were, of both balances.
     int factorisations() const;
+    /// That the same steps would have taken, were so many factors of each balance kept.
+    int factorisations_keeping(std::size_t factors) const;
 
     /// Newton iterations that ended as contact states recurred, of both balances, of this simulation.
     int cycles() const;

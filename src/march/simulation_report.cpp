@@ -29,6 +29,11 @@ int Simulation::factorisations() const {
            (heat_ ? heat_->balance().factorisations() : 0);
 }
 
+int Simulation::factorisations_keeping(std::size_t factors) const {
+    return spent_.factorisations + (momentum_ ? momentum_->balance().factorisations_keeping(factors) : 0) +
+           (heat_ ? heat_->balance().factorisations_keeping(factors) : 0);
+}
+
 int Simulation::cycles() const {
     return spent_.cycles + (momentum_ ? momentum_->balance().cycles() : 0) +
            (heat_ ? heat_->balance().cycles() : 0);

@@ -63,11 +63,16 @@ bool Bench::can(const Stepping& stepping) {
     }
 }
 
+bool Bench::fits(const Discretisation& discretisation) {
+    const scene::Scene scene = plan::discretised(template_for(discretisation.stepping), discretisation);
+    return scene.mesh.file || unknowns_of(scene) <= share_of_memory * most_unknowns();
+}
+
 const Pilot* Bench::run(const Discretisation& discretisation) {
     const auto [entry, is_new] = pilots_.try_emplace(key_of(discretisation));
     if (is_new) {
         const scene::Scene scene = plan::discretised(template_for(discretisation.stepping), discretisation);
-        if (!scene.mesh.file && unknowns_of(scene) > share_of_memory * most_unknowns()) {
+        if (!fits(discretisation)) {
             failure_ =
                 "a pilot of " + exact_text(unknowns_of(scene)) + " unknowns would take too much memory";
             return nullptr;
@@ -75,6 +80,8 @@ const Pilot* Bench::run(const Discretisation& discretisation) {
         try {
             entry->second = run_pilot(scene, discretisation, quantity_, backend_, check_);
         } catch (const NumericsError& error) {
+            failure_ = error.what();
+        } catch (const SystemError& error) {  // memory
             failure_ = error.what();
         }
     }

@@ -40,6 +40,9 @@ class Bench {
     /// their addresses.
     const Pilot* run(const Discretisation& discretisation);
 
+    /// Whether memory holds it.
+    bool fits(const Discretisation& discretisation);
+
     /// Whether it was run already.
     bool has(const Discretisation& discretisation) const;
 

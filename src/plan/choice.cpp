@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "march/kept_factors.h"
 #include "number.h"
 
 namespace thermocontact::plan {
@@ -25,8 +26,11 @@ int next_count(int count) {
 
 std::vector<int> scales(const SpaceModel& space, const Models& models, const Limits& limits) {
     std::vector<int> result{1};
-    for (int scale = 2; models.refinable && space.unknowns.at(scale) <= limits.unknowns;
-         scale = next_count(scale)) {
+    const auto fits = [&](int scale) {
+        return space.unknowns.at(scale) <= limits.unknowns &&
+               march::copies_while_made * space.factor_bytes.at(scale) <= models.memory;
+    };
+    for (int scale = 2; models.refinable && fits(scale); scale = next_count(scale)) {
         result.push_back(scale);
     }
     return result;
@@ -134,6 +138,15 @@ std::vector<double> difference(const Models& models, const Discretisation& coars
     return result;
 }
 
+double factorisations(const Models& models, const SpaceModel& space, const TimeModel& time,
+                      const Discretisation& choice) {
+    const std::size_t others = time.factorisations.size() - 1;
+    const double bytes = space.factor_bytes.at(choice.scale);
+    const std::size_t beside =
+        march::factors_beside_another(others, bytes, models.memory - static_cast<double>(others) * bytes);
+    return time.factorisations[beside].at(time_knob(choice));
+}
+
 Option assess(const Models& models, const Discretisation& discretisation) {
     const SpaceModel& space = space_of(models, discretisation);
     const TimeModel& time = time_of(models, discretisation);
@@ -141,7 +154,8 @@ Option assess(const Models& models, const Discretisation& discretisation) {
     Option option{discretisation, space.error.at(1 / scale), time.error.at(knob), 0, 0, 0};
     option.error = total_error(option.space, option.time, models.sum);
     option.unknowns = space.unknowns.at(scale);
-    option.seconds = space.setup.at(scale) + time.factorisations.at(knob) * space.factor.at(scale) +
+    option.seconds = space.setup.at(scale) +
+                     factorisations(models, space, time, discretisation) * space.factor.at(scale) +
                      time.attempts.at(knob) * space.step.at(scale) + space.end.at(scale) +
                      output_seconds(models, space, discretisation);
     return option;

@@ -1,6 +1,7 @@
 /// The cheapest discretisation of those that the models cover.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,16 +32,18 @@ struct SpaceModel {
     LogCurve frame;   ///< s to put the fields into the form of their files once
     LogCurve end;     ///< s: digits left, judged once at the end
     double near = 0;  ///< knob of the finest pilot of a ladder around a choice (near_choice.h); 0: of none
-    std::vector<int> stretch = {};  ///< see Discretisation
+    std::vector<int> stretch = {};              ///< see Discretisation
+    LogCurve factor_bytes = {{1.0}, {0.0}, 0};  ///< of one factor of each balance; 0: no factors
 };
 
 /// What a way to step errs by, and how many steps it takes; the knob is 1/steps, or the tolerance.
 struct TimeModel {
     Stepping stepping;
     ErrorCurve error;
-    LogCurve attempts, factorisations;
-    LogCurve damped;  ///< see Pilot::damped
-    double near = 0;  ///< see SpaceModel
+    LogCurve attempts;
+    std::vector<LogCurve> factorisations;  ///< where 1, 2, ... factors of each balance are kept
+    LogCurve damped;                       ///< see Pilot::damped
+    double near = 0;                       ///< see SpaceModel
 };
 
 /// s, measured: a row of the history. To put fields into the form of their files and write them takes so many
@@ -55,6 +58,7 @@ struct Models {
     int frames = 0;         ///< how often the scene writes its fields; 0: never
     Sum sum = Sum::squares;
     Writing writing = {};
+    double memory = std::numeric_limits<double>::infinity();  ///< bytes, for a run's factors
 };
 
 /// A discretisation with what the models say of it.
@@ -79,6 +83,11 @@ TimeModel& time_of(Models& models, const Discretisation& choice);
 /// differ by.
 std::vector<double> difference(const Models& models, const Discretisation& coarse,
                                const Discretisation& fine);
+
+/// Factorisations of both balances: step sizes come again, and the factors of only so many are kept as
+/// memory holds beside one that is made (march/kept_factors.h).
+double factorisations(const Models& models, const SpaceModel& space, const TimeModel& time,
+                      const Discretisation& choice);
 
 /// What the models say of one discretisation.
 Option assess(const Models& models, const Discretisation& discretisation);

@@ -18,6 +18,8 @@ int fewest_cells(std::size_t dimension) {
     return dimension == 2 ? 8 : 6;
 }
 
+const std::string condensed = "condensed";
+
 std::string short_or_exact(double value) {
     std::ostringstream stream;
     stream << std::setprecision(12) << value;
@@ -95,6 +97,10 @@ std::vector<int> scaled_cells(const std::vector<int>& coarsest, const std::vecto
     return result;
 }
 
+bool is_condensed(const scene::Scene& scene) {
+    return scene.solver.strategy == "auto" && !scene.mesh.file;
+}
+
 scene::Scene discretised(scene::Scene scene, const Discretisation& choice) {
     if (!scene.mesh.file) {
         scene.mesh.cells =
@@ -103,6 +109,9 @@ scene::Scene discretised(scene::Scene scene, const Discretisation& choice) {
     if (!choice.grading.empty()) {
         scene.mesh.cell = "tensor";
         scene.mesh.grading = choice.grading;
+    }
+    if (is_condensed(scene)) {
+        scene.solver.strategy = condensed;
     }
     scene.degree = choice.degree;
     scene.time.steps = choice.steps;
@@ -139,6 +148,9 @@ std::vector<std::string> settings(const scene::Scene& scene, const Discretisatio
         }
     }
     result.push_back("space.degree=" + std::to_string(choice.degree));
+    if (is_condensed(scene)) {
+        result.push_back(quoted("solver.strategy", condensed));
+    }
     const std::vector<std::string> of_time = settings(choice.stepping, choice.tolerance);
     result.insert(result.end(), of_time.begin(), of_time.end());
     if (scene.resolved.at("time").contains(

@@ -55,6 +55,10 @@ std::vector<int> coarsest_cells(const scene::Scene& scene);
 std::vector<int> scaled_cells(const std::vector<int>& coarsest, const std::vector<int>& scene_cells,
                               int scale, const std::vector<int>& stretch = {});
 
+/// Whether runs are to be solved by condensing (solver.strategy), whatever their steps: on meshes that are
+/// chosen, where the scene leaves it open. Pilots and what they foresee would else be of different ones.
+bool is_condensed(const scene::Scene& scene);
+
 /// `scene`, whose scheme is that of `choice` already, so discretised.
 scene::Scene discretised(scene::Scene scene, const Discretisation& choice);
 

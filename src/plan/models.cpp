@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "march/kept_factors.h"
+
 namespace thermocontact::plan {
 namespace {
 
@@ -35,6 +37,7 @@ struct Growth {
 /// than with what is beyond (measured in the plane, from 3 to 90 thousand unknowns: by 1.8 to 2.0, then
 /// by 2.0 to 2.4; in space by 2.6, 3.5, 4.3).
 constexpr Growth growth_of_factor[] = {{1, 1.2}, {2, 3}, {3, 6}};
+constexpr Growth growth_of_entries[] = {{1, 1.2}, {2, 2.4}, {3, 4}};
 constexpr Growth growth_of_step[] = {{1, 1.2}, {2.3, 2.4}, {3.5, 4}};
 
 void take_costs(SpaceModel& model, const std::vector<const Pilot*>& pilots, int axes) {
@@ -42,11 +45,13 @@ void take_costs(SpaceModel& model, const std::vector<const Pilot*>& pilots, int 
     const auto curve = [&](const std::function<double(const Costs&)>& cost, const Growth& growth) {
         return cost_curve(pilots, cost, growth.least, growth.most);
     };
-    const Growth factor = growth_of_factor[axes - 1], step = growth_of_step[axes - 1];
+    const Growth factor = growth_of_factor[axes - 1], entries = growth_of_entries[axes - 1],
+                 step = growth_of_step[axes - 1];
     model.setup = curve([](const Costs& c) { return c.setup; }, {d, 1.2 * d});
     model.factor = curve([](const Costs& c) { return c.factor / c.factorisations; }, factor);
     model.step = curve([](const Costs& c) { return c.steps / c.attempts; }, step);
     model.unknowns = curve([](const Costs& c) { return c.unknowns; }, {d, d});
+    model.factor_bytes = curve([](const Costs& c) { return c.factor_bytes; }, entries);
     model.end = curve([](const Costs& c) { return c.end; }, step);
     model.frame = curve([](const Costs& c) { return c.frame; }, {d, d});
 }
@@ -59,16 +64,24 @@ int refined_axes(const scene::Scene& scene) {
 }
 
 TimeModel time_model(const Stepping& stepping, const Climbed& climbed) {
-    std::vector<double> knobs, attempts, factorisations, damped;
+    std::vector<double> knobs, attempts, damped;
+    std::vector<std::vector<double>> factorisations(march::adaptive_factors);  // by how many are kept
     for (const Pilot* pilot : climbed.pilots) {
         knobs.push_back(time_knob(pilot->discretisation));
         attempts.push_back(pilot->costs.attempts);
-        factorisations.push_back(pilot->costs.factorisations);
+        for (std::size_t i = 0; i < factorisations.size(); ++i) {
+            factorisations[i].push_back(pilot->costs.factorisations_keeping[i]);
+        }
         damped.push_back(pilot->damped);
     }
     const double slope = stepping.adaptive ? LogCurve::last_slope(knobs, attempts, -1.0 / 3) : -1.0;
-    return {stepping, climbed.error, LogCurve(knobs, attempts, slope), LogCurve(knobs, factorisations, 0),
-            LogCurve(knobs, damped, 0)};
+    TimeModel model{
+        stepping, climbed.error, LogCurve(knobs, attempts, slope), {}, LogCurve(knobs, damped, 0)};
+    for (const std::vector<double>& counts : factorisations) {
+        const double growth = stepping.adaptive ? LogCurve::last_slope(knobs, counts, 0) : 0;
+        model.factorisations.emplace_back(knobs, counts, std::clamp(growth, std::min(slope, 0.0), 0.0));
+    }
+    return model;
 }
 
 SpaceModel space_model(int axes, const std::vector<const Pilot*>& pilots, ErrorCurve error) {

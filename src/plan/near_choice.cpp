@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "plan/climb.h"
@@ -57,7 +58,7 @@ Rungs rungs_below(const Discretisation& finest, const Direction& direction) {
 std::vector<Rungs> ladders(const Discretisation& choice, const Direction& direction) {
     const Discretisation twice = direction.finer(choice);
     std::vector<Rungs> result;
-    for (const Discretisation& finest : {direction.finer(twice), twice, choice}) {
+    for (const Discretisation& finest : {direction.finer(twice), twice, choice, direction.coarser(choice)}) {
         const bool needed = direction.knob(finest) >= direction.knob(twice) ||
                             rungs_below(twice, direction).size() < fewest_rungs;
         for (const Discretisation& at :
@@ -71,9 +72,13 @@ std::vector<Rungs> ladders(const Discretisation& choice, const Direction& direct
     return result;
 }
 
+/// Infinite where memory does not hold one.
 double seconds_of(const Study& study, const Rungs& rungs) {
     double seconds = 0;
     for (const Discretisation& choice : rungs) {
+        if (!study.bench->fits(choice)) {
+            return std::numeric_limits<double>::infinity();
+        }
         seconds += study.bench->has(choice) ? 0 : seconds_without_output(study.models, choice);
     }
     return seconds;
@@ -192,7 +197,8 @@ void learn_time(Study& study, const std::vector<const Pilot*>& pilots) {
         model.error.correct(ratios(study, *pilots.end()[-2], *pilots.back()));
     } else {
         const std::vector<double> highest = highest_in_time(study.comparison.components(), finest.stepping);
-        model.error = error_of(pilots, study.comparison, time_knob, highest, lowest_of(model.error));
+        model = time_model(finest.stepping, {pilots, error_of(pilots, study.comparison, time_knob, highest,
+                                                              lowest_of(model.error))});
     }
     model.near = time_knob(finest);
 }

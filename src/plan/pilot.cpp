@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "march/kept_factors.h"
 #include "output/conditioning.h"
 #include "output/fields.h"
 #include "output/vtu.h"
@@ -124,7 +125,11 @@ Pilot run_pilot(const scene::Scene& scene, const Discretisation& discretisation,
     costs.steps = stopwatch.seconds() - costs.setup - costs.factor - later_factors;
     costs.factor += later_factors;
     costs.factorisations = simulation.factorisations();
+    for (std::size_t kept = 1; kept <= march::adaptive_factors; ++kept) {
+        costs.factorisations_keeping.push_back(simulation.factorisations_keeping(kept));
+    }
     costs.attempts = recorder.attempts();
+    costs.factor_bytes = sizeof(double) * static_cast<double>(simulation.factor_entries());
     costs.unknowns =
         static_cast<double>(simulation.displacement_unknowns() + simulation.temperature_unknowns());
     costs.end = end_seconds(simulation);

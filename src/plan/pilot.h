@@ -19,11 +19,14 @@ struct Frame {
 struct Costs {
     double setup = 0, factor = 0, steps = 0;  ///< s
     int factorisations = 0;
+    /// That the same steps take where 1, 2, ... factors of each balance are kept.
+    std::vector<int> factorisations_keeping = {};
     int attempts = 0;      ///< steps, and parts of adaptive ones, that were solved
     double processor = 0;  ///< s of processor time in all
     double end = 0;        ///< s to judge the digits left
     double frame = 0;      ///< s to put the fields into the form of their files once
     double unknowns = 0;
+    double factor_bytes = 0;  ///< of one factor of each balance
 };
 
 struct Pilot {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "plan/duration.h"
 #include "plan/near_choice.h"
@@ -111,8 +112,10 @@ void Planner::refuse(Plan& plan) const {
                    duration_text(bounds.seconds) + " and memory for " + about(bounds.unknowns) +
                    " unknowns the error of " + largest_source(study_.comparison.components(), *plan.best) +
                    " is what remains";
+    Models boundless = study_.models;
+    boundless.memory = std::numeric_limits<double>::infinity();
     if (const std::optional<Option> any =
-            cheapest(study_.models, least_aim * *study_.request.accuracy, no_limits)) {
+            cheapest(boundless, least_aim * *study_.request.accuracy, no_limits)) {
         plan.refusal +=
             "; foreseen are " + duration_text(any->seconds) + " and " + about(any->unknowns) + " unknowns";
     }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "march/kept_factors.h"
 #include "solve/available_memory.h"
 
 namespace thermocontact::plan {
@@ -23,6 +24,7 @@ Study begin_study(Bench& bench, const Request& request, double goal) {
     Study study{&bench, Comparison(scene, request.of), request, {}, {}, goal * request.accuracy.value_or(0)};
     study.models.sum = request.of == Quantity::norms ? Sum::squares : Sum::plain;
     study.models.writing = bench.writing();
+    study.models.memory = (1 - march::share_left) * solve::available_memory();
     study.models.refinable = !scene.mesh.file;
     study.models.frames = scene.output.fields.empty() ? 0 : frames_of(scene);
     if (scene.mesh.file) {
@@ -53,6 +55,7 @@ double price_of(const Study& study, std::vector<SpaceModel> spaces) {
     constexpr double any = 1e12;
     Models models = study.models;
     models.spaces = std::move(spaces);
+    models.memory = std::numeric_limits<double>::infinity();
     const Request& request = study.request;
     const auto option = request.accuracy ? cheapest(models, aim_of_accuracy * *request.accuracy, {any, any})
                                          : most_accurate(models, {*request.budget, any});

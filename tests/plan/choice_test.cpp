@@ -46,9 +46,9 @@ Models models() {
                                  constant(0)});
     }
     result.times.push_back(
-        {{"bdf2", false}, falling(2), {{1.0, 0.5}, {1.0, 2.0}, -1}, constant(2), constant(0)});
+        {{"bdf2", false}, falling(2), {{1.0, 0.5}, {1.0, 2.0}, -1}, {constant(2)}, constant(0)});
     result.times.push_back(
-        {{"backward-euler", false}, falling(1), {{1.0, 0.5}, {1.0, 2.0}, -1}, constant(2), constant(0)});
+        {{"backward-euler", false}, falling(1), {{1.0, 0.5}, {1.0, 2.0}, -1}, {constant(2)}, constant(0)});
     return result;
 }
 
@@ -144,6 +144,32 @@ TEST(Choice, SpendsABudgetOnAccuracy) {
     EXPECT_FALSE(most_accurate(all, {1e-3, 1e9}));
 }
 
+/// Where memory does not hold the factors of all step sizes in use, they are made again.
+TEST(Choice, CountsFactorsMadeAgain) {
+    Models all = models();
+    std::vector<LogCurve> made(12, constant(10));
+    made[2] = constant(50), made[1] = constant(90), made[0] = constant(100);
+    all.times = {{{"bdf2", true}, falling(2.0 / 3), power(30, -0.5), made, constant(0)}};
+    for (SpaceModel& space : all.spaces) {
+        space.factor_bytes = power(1e6, 2);
+    }
+    const Discretisation choice{1, 10, {"bdf2", true}, adaptive_steps, 1e-3};  // a factor of 1e8 bytes
+    const double kept_all = assess(all, choice).seconds;
+    const auto more = [&](double memory) {
+        all.memory = memory;
+        return (assess(all, choice).seconds - kept_all) / 0.01;
+    };
+    EXPECT_NEAR(more(13.6e8), 0, 1e-9) << "room for eleven beside the one that is made";
+    EXPECT_NEAR(more(4.6e8), 40, 1e-9) << "two beside it";
+    EXPECT_NEAR(more(3.4e8), 80, 1e-9) << "the latest one beside it stays";
+    all.memory = 2.4e8;
+    const auto best = cheapest(all, 1e-12, {1e12, 1e12});
+    EXPECT_FALSE(best && best->discretisation.scale >= 10) << "no room to make one";
+    const auto poor = most_accurate(all, {1e12, 1e12});
+    ASSERT_TRUE(poor);
+    EXPECT_LT(poor->discretisation.scale, 10);
+}
+
 TEST(Choice, TakesTheWorstComponent) {
     EXPECT_DOUBLE_EQ(total_error({0.1, 0.2}, {0.3, 0.1}, Sum::plain), 0.4);
     EXPECT_DOUBLE_EQ(total_error({0.3, 0.1}, {0.4, 0.1}, Sum::squares), 0.5);
@@ -151,7 +177,7 @@ TEST(Choice, TakesTheWorstComponent) {
 
 TEST(Choice, ChoosesATolerance) {
     Models all = models();
-    all.times = {{{"bdf2", true}, falling(2.0 / 3), power(30, -0.5), constant(8), constant(0)}};
+    all.times = {{{"bdf2", true}, falling(2.0 / 3), power(30, -0.5), {constant(8)}, constant(0)}};
     const auto best = cheapest(all, 1e-2, no_limits);
     ASSERT_TRUE(best);
     EXPECT_LE(best->error, 1e-2);

@@ -86,6 +86,8 @@ void expect_same(const std::string& name, const Discretisation& choice) {
     EXPECT_EQ(again.time.scheme, made.time.scheme);
     EXPECT_EQ(again.time.tolerance, made.time.tolerance);
     EXPECT_EQ(again.time.spectral_radius, made.time.spectral_radius);
+    EXPECT_EQ(again.solver.strategy, made.solver.strategy);
+    EXPECT_EQ(made.solver.strategy, scene.mesh.file ? "auto" : "condensed") << "whatever the steps";
 }
 
 TEST(Discretisation, SettingsMakeTheSameScene) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "march/kept_factors.h"
 #include "plan/climb.h"
 #include "plan/near_choice.h"
 #include "plan/space_study.h"
@@ -27,6 +28,7 @@ Pilot pilot(int scale, int steps, double step) {
     costs.setup = 1e-3 * scale * scale;
     costs.factor = 4e-3 * scale * scale;
     costs.factorisations = 2;
+    costs.factorisations_keeping.assign(march::adaptive_factors, 2);
     costs.attempts = steps;
     costs.steps = steps * step;
     costs.unknowns = 100.0 * scale * scale;
@@ -82,7 +84,7 @@ TEST(TimeModel, HasAsManyStepsAsItsKnobSays) {
     }
     const TimeModel adaptive = time_model({"bdf2", true}, {{&loose, &tight}, ErrorCurve(1)});
     EXPECT_NEAR(adaptive.attempts.at(1e-4), 80, 1e-9);
-    EXPECT_NEAR(adaptive.factorisations.at(1e-4), 2, 1e-12);
+    EXPECT_NEAR(adaptive.factorisations.back().at(1e-4), 2, 1e-12);
 }
 
 TEST(SpaceModel, GrowsAlongAxesWithCells) {
@@ -119,6 +121,20 @@ TEST(NearChoice, FindsWhatModelsAreOffBy) {
         const auto finer_one = cheapest(study.models, 1e-3, {1e9, 1e9});
         EXPECT_FALSE(learn_near(study, finer_one.value(), 1e-9));  // no time for it
     }
+}
+
+/// A ladder that ends in a pilot too large for memory would be run in vain.
+TEST(NearChoice, ClimbsNoLadderThatMemoryDoesNotHold) {
+    Bench bench = bench_of("heat-only");
+    Study study = begin_study(bench, {0.1, {}, Quantity::norms}, 0.25);
+    study_time(study);
+    study_space(study);
+    auto option = cheapest(study.models, 0.06, {100, 1e6});
+    ASSERT_TRUE(option);
+    option->discretisation.scale = 1 << 14;
+    EXPECT_FALSE(bench.fits(option->discretisation));
+    EXPECT_FALSE(learn_near(study, *option, 1e30));
+    EXPECT_TRUE(bench.fits({1, 2, bdf2, 8, 0}));
 }
 
 /// Of a choice much finer than the finest pilot of its kind nothing is known; of kinds that were not looked

@@ -21,6 +21,8 @@ constexpr double most_correction = 4;
 constexpr double share_of_shapes = 0.5;
 constexpr double too_hopeful = 1.5;  ///< a price so many times that foreseen: other meshes are looked for
 constexpr std::size_t fewest_rungs = 3;
+constexpr double most_apart_in_space = 4, most_apart_in_time = 1.25 * tolerance_ratio;  ///< knobs of rungs
+constexpr int large_scale = 32, halved_scale = 8;
 /// In time differences go up and down, as contact opens and closes in this step or in that: an order is to be
 /// the median of three.
 constexpr std::size_t most_in_space = 4, most_in_time = 5;
@@ -35,18 +37,20 @@ struct Direction {
     std::function<double(const Discretisation&)> knob;
     Change cheaper;  ///< in the other direction, in which all rungs are alike
     std::size_t most_rungs;
+    double most_apart;  ///< the knobs of two rungs
 };
 
 double space_knob(const Discretisation& choice) {
     return 1.0 / choice.scale;
 }
 
-/// As many as there are.
+/// As many as there are, and not so far apart that nothing is told of an order.
 Rungs rungs_below(const Discretisation& finest, const Direction& direction) {
     Rungs rungs{finest};
     while (rungs.size() < direction.most_rungs) {
         const Discretisation next = direction.coarser(rungs.front());
-        if (direction.knob(next) <= direction.knob(rungs.front())) {
+        const double apart = direction.knob(next) / direction.knob(rungs.front());
+        if (apart <= 1 || apart > direction.most_apart) {
             break;
         }
         rungs.insert(rungs.begin(), next);
@@ -121,8 +125,17 @@ std::vector<double> ratios(Study& study, const Pilot& coarse, const Pilot& fine)
     return result;
 }
 
+/// Large meshes with a few cells more, as can be halved thrice: prime factors are no rungs.
+Discretisation halving(Discretisation choice) {
+    if (choice.scale >= large_scale) {
+        choice.scale = (choice.scale + halved_scale - 1) / halved_scale * halved_scale;
+    }
+    return choice;
+}
+
 Direction in_space() {
-    return {coarser_in_space, finer_in_space, space_knob, coarser_in_time, most_in_space};
+    return {coarser_in_space, finer_in_space, space_knob,
+            coarser_in_time,  most_in_space,  most_apart_in_space};
 }
 
 /// Steps are not compared on the very coarsest meshes, whose contact opens and closes at a few points.
@@ -132,7 +145,7 @@ Direction in_time() {
         choice.scale = choice.scale <= fewest ? choice.scale : std::max(fewest, coarser(choice.scale));
         return choice;
     };
-    return {coarser_in_time, finer_in_time, time_knob, cheaper, most_in_time};
+    return {coarser_in_time, finer_in_time, time_knob, cheaper, most_in_time, most_apart_in_time};
 }
 
 /// Meshes are compared in equal steps, in which all err alike in time: adaptive ones are others on each mesh.
@@ -215,9 +228,9 @@ bool learn_near(Study& study, const Option& option, double seconds) {
     const int runs = bench.runs();
     const double begin = bench.seconds();
     if (study.models.refinable) {
-        const auto rungs =
-            affordable(study, ladders(in_equal_steps(study.models, option.discretisation), in_space()),
-                       share_in_space * seconds);
+        const auto rungs = affordable(
+            study, ladders(halving(in_equal_steps(study.models, option.discretisation)), in_space()),
+            share_in_space * seconds);
         if (const std::vector<const Pilot*> pilots = rungs ? run(bench, *rungs) : std::vector<const Pilot*>{};
             !pilots.empty()) {
             learn_space(study, pilots);

@@ -246,8 +246,8 @@ MUTATIONS = (
     Mutation(
         "plan-factors-all-kept",
         "src/plan/choice.cpp",
-        "return time.factorisations[beside].at(time_knob(choice));",
-        "return time.factorisations.back().at(time_knob(choice));",
+        "models.memory - static_cast<double>(others) * bytes",
+        "models.memory",
         "missing",
         "factors that memory does not hold are made again",
     ),

@@ -78,7 +78,7 @@ MUTATIONS = (
     Mutation(
         "plan-factor-once",
         "src/plan/choice.cpp",
-        "time.factorisations.at(knob) * space.factor.at(scale)",
+        "factorisations(models, space, time, discretisation) * space.factor.at(scale)",
         "space.factor.at(scale)",
         "missing",
         "every factorisation takes its time",

@@ -127,7 +127,7 @@ MUTATIONS = (
         "equal-fronts-children",
         "src/solve/equal_fronts.cpp",
         "static_cast<std::uint64_t>(first[static_cast<std::size_t>(child)])",
-        "std::uint64_t{0}",
+        "static_cast<std::uint64_t>(0 * first[static_cast<std::size_t>(child)])",
         "missing",
         "fronts are equal if their children are",
     ),

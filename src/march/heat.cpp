@@ -1,7 +1,6 @@
 #include "march/heat.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -330,8 +329,7 @@ void Heat::accept(State& state, const Scheme& scheme) {
 }
 
 double Heat::temperature_norm(const std::vector<double>& theta) const {
-    const double square = team_->sum((gram_ ? *gram_ : *capacity_).quadratic_form(theta));
-    return std::sqrt(std::max(0.0, square / capacity_density_.value_or(1.0)));
+    return norm((gram_ ? *gram_ : *capacity_).quadratic_form(theta));
 }
 
 double Heat::content(const State& state) const {

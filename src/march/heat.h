@@ -137,9 +137,9 @@ class Heat {
     }
     const std::vector<double>& base_stored() const { return rule_.memory() == 0 ? stored_ : base_stored_; }
 
-    /// ||theta||_L2 from the product with the capacity matrix, which is c times the Gram matrix, or, without
-    /// capacity, with the Gram matrix itself.
-    double norm(const std::vector<double>& theta, const std::vector<double>& product) const;
+    /// ||theta||_L2 from this process' part of theta . C theta, C being the capacity matrix, which is c times
+    /// the Gram matrix, or, without capacity, the Gram matrix itself.
+    double norm(double square) const;
 
     const parallel::Team* team_;
     std::optional<double> capacity_density_;  ///< c, where it is uniform

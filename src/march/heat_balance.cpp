@@ -102,18 +102,15 @@ void Heat::add_to_audit() {
     audit_.duration = duration;
 }
 
-double Heat::norm(const std::vector<double>& theta, const std::vector<double>& product) const {
-    // the capacity matrix is c times the Gram matrix
-    const double square =
-        team_->sum(as_eigen(theta).dot(as_eigen(product))) / capacity_density_.value_or(1.0);
-    return std::sqrt(std::max(0.0, square));
+double Heat::norm(double square) const {
+    return std::sqrt(std::max(0.0, team_->sum(square) / capacity_density_.value_or(1.0)));
 }
 
 void Heat::close_audit(const State& state) {
     const Flows& mean = audit_.mean;
     heat_residual_ = relative(mean.difference(), mean.scale);
-    record_ = {{"temperature_l2",
-                capacity_density_ ? norm(state.temperature, stored_) : temperature_norm(state.temperature)},
+    record_ = {{"temperature_l2", capacity_density_ ? norm(as_eigen(state.temperature).dot(as_eigen(stored_)))
+                                                    : temperature_norm(state.temperature)},
                {"heat_storage_rate", mean.storage},
                {"contact_heat_outflow", mean.outflow},
                {"prescribed_temperature_inflow", mean.reaction},

@@ -78,8 +78,8 @@ MUTATIONS = (
     Mutation(
         "heat-norm",
         "src/march/heat_balance.cpp",
-        "/ capacity_density_.value_or(1.0);",
-        "* capacity_density_.value_or(1.0);",
+        "/ capacity_density_.value_or(1.0)));",
+        "* capacity_density_.value_or(1.0)));",
         "factor",
         "the norm of the temperature does not depend on c",
     ),

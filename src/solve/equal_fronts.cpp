@@ -116,12 +116,11 @@ std::vector<std::int32_t> equal_fronts(const FrontTree& tree, std::int32_t head)
             continue;  // where it is factored, this is told
         }
         const double near = 2 * equal_entries * content.largest * static_cast<double>(content.values.size());
-        const auto same =
-            std::find_if(known.lower_bound({key, here - near}), known.upper_bound({key, here + near}),
-                         [&](const auto& entry) {
-                             return equal(content, other.of(static_cast<std::size_t>(entry.second), first));
-                         });
-        if (same != known.upper_bound({key, here + near})) {
+        const auto end = known.upper_bound({key, here + near});
+        const auto same = std::find_if(known.lower_bound({key, here - near}), end, [&](const auto& entry) {
+            return equal(content, other.of(static_cast<std::size_t>(entry.second), first));
+        });
+        if (same != end) {
             first.back() = same->second;
         } else {
             known.emplace(std::pair(key, here), first.back());

@@ -105,14 +105,14 @@ PanelFactor::PanelFactor(const SymmetricMatrix& matrix, std::int32_t tail, std::
         }
     };
     std::ranges::for_each(cuts.branches, number);
-    first_outside_ = next;
+    const std::int32_t first_outside = next;
     number(cuts.trunk);
     order_.resize(static_cast<std::size_t>(size_));
     for (std::size_t i = 0; i < order_.size(); ++i) {
         order_[static_cast<std::size_t>(making.place[i])] = supernodes.order()[i];
     }
     for (const std::vector<std::int32_t>& branch : cuts.branches) {
-        branches_.push_back(lay_out(making, branch, first_outside_));
+        branches_.push_back(lay_out(making, branch, first_outside));
     }
     trunk_ = lay_out(making, cuts.trunk, size_);
     make_numbers(making, cuts);
@@ -234,7 +234,7 @@ void PanelFactor::forward(std::vector<double>& x) {
                   [&](int number) { pass(branches_[static_cast<std::size_t>(number)]); });
     for (const Branch& branch : branches_) {
         for (std::size_t i = 0; i < branch.outside.size(); ++i) {
-            x[static_cast<std::size_t>(first_outside_) + i] += branch.outside[i];
+            x[static_cast<std::size_t>(branch.rows) + i] += branch.outside[i];
         }
     }
     pass(trunk_);

@@ -88,8 +88,7 @@ class PanelFactor {
     std::vector<std::int32_t> rows_;
     std::vector<Branch> branches_;
     Branch trunk_{};
-    std::int32_t first_outside_ = 0;  ///< row beyond all branches
-    Eigen::MatrixXd tail_;            ///< L_tt
+    Eigen::MatrixXd tail_;  ///< L_tt
 };
 
 /// Orders the nodes of an undirected graph (lower triangle by compressed columns) by nested dissection

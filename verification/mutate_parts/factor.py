@@ -86,8 +86,8 @@ MUTATIONS = (
     Mutation(
         "panel-outside",
         "src/solve/panel_factor.cpp",
-        "x[static_cast<std::size_t>(first_outside_) + i] += branch.outside[i];",
-        "x[static_cast<std::size_t>(first_outside_) + i] = branch.outside[i];",
+        "x[static_cast<std::size_t>(branch.rows) + i] += branch.outside[i];",
+        "x[static_cast<std::size_t>(branch.rows) + i] = branch.outside[i];",
         "missing",
         "what all branches add to the rows beyond them",
     ),

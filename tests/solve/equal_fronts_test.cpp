@@ -12,6 +12,7 @@
 #include "solve/grid_dissection.h"
 #include "solve/panel_factor.h"
 #include "support/dense.h"
+#include "support/laplacian.h"
 #include "support/permuted.h"
 
 namespace thermocontact::solve {
@@ -20,23 +21,13 @@ namespace {
 /// Five-point differences on n x n nodes, shifted to be regular, in the order of a dissection along grid
 /// lines.
 SymmetricMatrix grid(std::int32_t n) {
-    SymmetricMatrix natural{n * n, {0}, {}, {}};
     std::vector<mesh::GridPlace> places;
+    std::vector<std::int32_t> nodes;
     for (std::int32_t i = 0; i < n * n; ++i) {
         places.push_back({2 * (i % n), 2 * (i / n), 0});
-        natural.rows.push_back(i);
-        natural.values.push_back(4.1);
-        for (const std::int32_t other : {i + 1, i + n}) {
-            if (other < n * n && (other == i + n || other % n != 0)) {
-                natural.rows.push_back(other);
-                natural.values.push_back(-1.0);
-            }
-        }
-        natural.offsets.push_back(static_cast<std::int32_t>(natural.rows.size()));
+        nodes.push_back(i);
     }
-    std::vector<std::int32_t> nodes(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-    std::iota(nodes.begin(), nodes.end(), 0);
-    return support::permuted(natural, grid_dissection(places, nodes));
+    return support::permuted(support::laplacian(n, 4.1), grid_dissection(places, nodes));
 }
 
 /// A tree of fronts and what it refers to.

@@ -10,6 +10,7 @@
 
 #include "mesh/shapes.h"
 #include "support/dense.h"
+#include "support/laplacian.h"
 #include "support/permuted.h"
 
 namespace thermocontact::solve {
@@ -291,21 +292,9 @@ TEST(NestedDissection, IsAPermutation) {
     }
 }
 
-/// Of n x n nodes, shifted to be regular.
+/// Of n x n nodes, regular.
 SymmetricMatrix laplacian(int n) {
-    SymmetricMatrix grid{n * n, {0}, {}, {}};
-    for (std::int32_t i = 0; i < n * n; ++i) {
-        grid.rows.push_back(i);
-        grid.values.push_back(4.01);
-        for (const std::int32_t other : {i + 1, i + n}) {
-            if (other < n * n && (other == i + n || other % n != 0)) {
-                grid.rows.push_back(other);
-                grid.values.push_back(-1.0);
-            }
-        }
-        grid.offsets.push_back(static_cast<std::int32_t>(grid.rows.size()));
-    }
-    return grid;
+    return support::laplacian(n, 4.01);
 }
 
 SymmetricMatrix dissected(const SymmetricMatrix& matrix) {

@@ -125,7 +125,7 @@ class Simulation {
     }
     std::int64_t temperature_unknowns() const { return scene_->heat ? part_.numbers.total() : 0; }
 
-    /// Numbers stored in the Cholesky factors.
+    /// Of the Cholesky factors of both balances.
     solve::FactorSize factor_size() const;
 
     /// Unknowns that the contact laws depend on, of both balances, over all processes; every process calls.

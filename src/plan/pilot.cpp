@@ -129,6 +129,7 @@ Pilot run_pilot(const scene::Scene& scene, const Discretisation& discretisation,
         costs.factorisations_keeping.push_back(simulation.factorisations_keeping(kept));
     }
     costs.attempts = recorder.attempts();
+    // as on a graded mesh, whose columns are not shared
     costs.factor_bytes = sizeof(double) * static_cast<double>(simulation.factor_size().entries);
     costs.unknowns =
         static_cast<double>(simulation.displacement_unknowns() + simulation.temperature_unknowns());

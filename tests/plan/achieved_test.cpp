@@ -9,10 +9,14 @@ namespace thermocontact::plan {
 namespace {
 
 /// A plan whose models are told to be a hundred times too hopeful, so that its run errs by more than asked.
+/// Of one kind of mesh and one stepping: among several, which is the cheapest depends on the machine and its
+/// load.
 class Missed : public testing::Test {
   protected:
     Missed() {
         plan = Planner(bench, {asked, {}, Quantity::norms}, false).make();
+        plan.models.spaces.erase(plan.models.spaces.begin() + 1, plan.models.spaces.end());
+        plan.models.times.erase(plan.models.times.begin() + 1, plan.models.times.end());
         const std::vector<double> hopeful(plan.components.size(), 0.01);
         for (SpaceModel& space : plan.models.spaces) {
             space.error.correct(hopeful);
@@ -36,12 +40,12 @@ TEST_F(Missed, IsToldWithWhatMeetsIt) {
     ASSERT_GT(told.error, asked);
     ASSERT_TRUE(told.instead);
     EXPECT_LE(told.instead->error, aim_of_accuracy * asked);
-    const Option &found = *told.instead,
-                 &before = *plan.chosen;  // which of them is cheapest depends on the machine
+    const Option &found = *told.instead, &before = *plan.chosen;
     EXPECT_TRUE(found.unknowns > before.unknowns ||
                 found.discretisation.steps > before.discretisation.steps ||
                 found.discretisation.tolerance < before.discretisation.tolerance)
-        << "finer in space or in time";
+        << "finer in space or in time: " << testing::PrintToString(told.settings) << " for "
+        << testing::PrintToString(settings(bench.scene(), before.discretisation));
     EXPECT_FALSE(told.settings.empty());
 }
 
